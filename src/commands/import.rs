@@ -5,7 +5,6 @@ mod corner_points;
 mod corner_words;
 #[cfg(test)]
 mod damaged_tables;
-mod doubts;
 mod format;
 mod hardpoint_corners;
 mod hardpoints;
@@ -15,6 +14,7 @@ mod known_names;
 mod layout;
 mod layout_choice;
 mod length_units;
+mod listed;
 mod motion_file;
 mod names;
 mod orientation;

@@ -9,9 +9,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
+use crate::characteristics::columns_of_positions;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::{Description, Names, Unit, report_of_singular};
+use crate::mechanism::{Description, Names, report_of_singular};
 use crate::output::destinations::table_targets;
 use crate::output::file_table::{Column, Table};
 use crate::output::files::{announce, print};
@@ -21,7 +22,7 @@ use crate::output::progress::Busy;
 use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
 use crate::prepare::load;
-use crate::quantities::{self, DRIVES, Shown, catalogue};
+use crate::quantities::{self, DRIVES};
 use crate::reach::{DriveRange, Station};
 
 /// The arguments of `suspension range`.
@@ -128,22 +129,18 @@ fn table(
     ranges: &[DriveRange],
     tables: &TableTargets,
 ) -> Result<(), Failure> {
-    let columns = columns(&mechanism.names, mechanism.unit);
-    let mut table = Table::create(tables, &Header::new(mechanism), columns)?;
+    let mut table = Table::create(tables, &Header::new(mechanism), columns(mechanism))?;
     let mut stations = ranges.iter().flat_map(|range| &range.curve);
     stations.try_for_each(|station| table.add(station))?;
     table.finish()
 }
 
 /// Returns the columns: the drives, and all quantities of the catalogue that positions determine.
-fn columns(names: &Names, unit: Unit) -> Vec<Column<Station>> {
+fn columns(mechanism: &Description) -> Vec<Column<Station>> {
+    let unit = mechanism.unit;
     let of_state = |column| Column::of_state(column, unit, |station: &Station| &station.state);
-    let of_positions = quantities::columns(catalogue(), names)
-        .into_iter()
-        .filter(|column| {
-            column.dimension.is_of_positions() && column.quantity.shown != Shown::InSummaries
-        });
-    let (drives, others): (Vec<_>, Vec<_>) = of_positions.partition(|column| column.is(&DRIVES));
+    let (drives, others): (Vec<quantities::Column>, Vec<_>) =
+        columns_of_positions(mechanism).partition(|column| column.is(&DRIVES));
     let mut columns = vec![
         Column::new("freed", |station: &Station| station.freed as f64 + 1.0),
         Column::new("turns", |station| f64::from(u8::from(station.turns))),

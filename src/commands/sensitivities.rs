@@ -74,10 +74,7 @@ impl Arguments {
         }
         let changes = loaded.changes(mechanism)?;
         let tolerances = self.tolerances(&loaded, mechanism, source.name())?;
-        let stopped = || {
-            let message = format!("{}: interrupted; nothing was written", source.name());
-            Failure::Interrupted(message)
-        };
+        let stopped = || Failure::nothing_written(source.name());
         let mut progress = Progress::new(changes.len(), "changes");
         let found = sensitivities(mechanism, &changes, interrupted, || progress.step());
         let found = found.ok_or_else(stopped)?;

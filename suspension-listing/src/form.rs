@@ -76,7 +76,9 @@ pub trait Equations {
     }
 
     /// How a row depends on a coordinate of one of the sites.
-    fn dependence(&self, row: usize, site: usize, axis: usize) -> Dependence;
+    fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
+        Dependence::Any
+    }
 
     /// The constants with which the equations hold at these positions of the sites; `None` if there are none.
     fn constants(&self, at: &[Vector]) -> Option<Vector>;

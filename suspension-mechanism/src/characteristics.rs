@@ -29,7 +29,7 @@ pub use line::{Line, Sort};
 pub use mode_states::{
     ModeStates, mode_states, no_steering, shorter_roll, unmet_range, usual_change,
 };
-pub use modes::counted_downwards;
+pub use modes::{Mode, counted_downwards};
 pub use movement::{Effect, Movement};
 pub(crate) use parameters::columns_in;
 pub use parameters::{Derivative, Parameter, columns, parameters};

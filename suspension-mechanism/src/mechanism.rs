@@ -50,7 +50,7 @@ pub(crate) use parts::sides::name_on_other_side;
 pub use parts::sides::{Pair, side_of};
 pub use parts::spring::Spring;
 pub use parts::vehicle::{Coupling, SteeringWheel, Vehicle, Wheel, WheelPoints};
-pub use parts::words::{advice, listed};
+pub use parts::words::{advice, listed, quoted};
 pub use plausibility::DriveAtDesign;
 pub use points::Points;
 pub use state::{Moved, State, WheelMovement};

@@ -67,19 +67,11 @@ impl Dimension {
 
     /// Returns whether positions alone determine the number.
     pub fn is_of_positions(self) -> bool {
-        matches!(
+        let is_rate = matches!(
             self,
-            Self::Length
-                | Self::Angle
-                | Self::LengthPerAngle
-                | Self::AnglePerAngle
-                | Self::Force
-                | Self::Moment
-                | Self::Mass
-                | Self::Stiffness
-                | Self::AngularStiffness
-                | Self::Percent
-        )
+            Self::Velocity | Self::Acceleration | Self::AngularVelocity | Self::AngularAcceleration
+        );
+        !is_rate && !matches!(self, Self::Time | Self::Count)
     }
 
     /// Returns the factor and the symbol for text and plots, in which angles are in degrees.
@@ -94,41 +86,37 @@ impl Dimension {
 
     /// Returns the factor from one unit of length to another.
     pub fn conversion(self, from: Unit, to: Unit) -> f64 {
-        match self {
-            Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
-                to.metre() / from.metre()
-            }
-            Self::Stiffness => from.metre() / to.metre(),
-            Self::Time
-            | Self::Angle
-            | Self::AngularVelocity
-            | Self::AngularAcceleration
-            | Self::AnglePerAngle
-            | Self::Force
-            | Self::Moment
-            | Self::Mass
-            | Self::AngularStiffness
-            | Self::Percent
-            | Self::Count => 1.0,
+        match self.powers() {
+            [1, _] => to.metre() / from.metre(),
+            [-1, _] => from.metre() / to.metre(),
+            _ => 1.0,
         }
     }
 
     /// Returns the factor from the program's unit to that of the file.
     pub fn file_factor(self, unit: Unit) -> f64 {
+        match self.powers() {
+            [_, 1] => unit.angle.radian(),
+            [_, -1] => 1.0 / unit.angle.radian(),
+            _ => 1.0,
+        }
+    }
+
+    /// The powers of the unit of lengths and of that of angles in its unit.
+    fn powers(self) -> [i8; 2] {
         match self {
-            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
-            Self::LengthPerAngle | Self::AngularStiffness => 1.0 / unit.angle.radian(),
-            Self::Force
+            Self::Length | Self::Velocity | Self::Acceleration => [1, 0],
+            Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => [0, 1],
+            Self::LengthPerAngle => [1, -1],
+            Self::Stiffness => [-1, 0],
+            Self::AngularStiffness => [0, -1],
+            Self::Time
+            | Self::AnglePerAngle
+            | Self::Force
             | Self::Moment
             | Self::Mass
-            | Self::Stiffness
-            | Self::Time
-            | Self::Length
-            | Self::Velocity
-            | Self::Acceleration
-            | Self::AnglePerAngle
             | Self::Percent
-            | Self::Count => 1.0,
+            | Self::Count => [0, 0],
         }
     }
 

@@ -35,13 +35,16 @@ impl Failure {
         Self::Input(format!("{file}: {message}"))
     }
 
+    /// Makes the failure of an interrupt before a result at `place`, or of a file called so, was written.
+    pub fn nothing_written(place: impl fmt::Display) -> Self {
+        Self::Interrupted(format!("{place}: interrupted; nothing was written"))
+    }
+
     /// Makes the failure to write to `place`.
     pub fn writing(place: impl fmt::Display, error: &io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Self::ReaderGone,
-            io::ErrorKind::Interrupted => {
-                Self::Interrupted(format!("{place}: interrupted; nothing was written"))
-            }
+            io::ErrorKind::Interrupted => Self::nothing_written(place),
             _ => Self::Output(format!("{place}: cannot be written: {error}")),
         }
     }

@@ -114,7 +114,7 @@ impl Baking<'_> {
             baked,
         };
         if self.interrupted.load(Ordering::Relaxed) {
-            return Err(interrupted(self.file));
+            return Err(Failure::nothing_written(self.file));
         }
         Ok(file)
     }
@@ -179,9 +179,4 @@ impl Baking<'_> {
     fn refuse(&self, message: &str) -> Failure {
         Failure::input(self.file, message)
     }
-}
-
-/// Returns the failure of an interrupt before the file is complete.
-fn interrupted(file: &str) -> Failure {
-    Failure::Interrupted(format!("{file}: interrupted; nothing was written"))
 }

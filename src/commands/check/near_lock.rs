@@ -1,6 +1,5 @@
 //! Locks so near to the design position that any suspension's travel passes them.
 
-use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{describe_change_from_design, extent};
 use crate::reach::{DriveRange, Limit, RangeEnd};
@@ -22,9 +21,7 @@ pub(super) fn notes(
         is_lock(end) && (end.value - range.start).abs() < NEAR * part
     });
     near.map(move |(range, end)| {
-        let dimension = Dimension::from(range.kind);
-        let change = (end.value - range.start) * dimension.file_factor(unit);
-        let change = describe_change_from_design(change, &dimension.symbol(unit));
+        let change = describe_change_from_design(end.value - range.start, range.kind, unit);
         format!(
             "`{}` reaches a lock {change}, which tolerances of hardpoints alone may use up; move hardpoints so that it is further away",
             range.name

@@ -194,7 +194,7 @@ impl Report<'_> {
         let (dimension, unit) = (Dimension::from(range.kind), self.mechanism.unit);
         let (symbol, scale) = (dimension.symbol(unit), dimension.file_factor(unit));
         let end = |what: &'r str, end: &RangeEnd| {
-            let change = describe_change_from_design((end.value - range.start) * scale, &symbol);
+            let change = describe_change_from_design(end.value - range.start, range.kind, unit);
             let value = rounded(end.value * scale, DIGITS_OF_END);
             let limit = end.limit.in_words(unit);
             let end = format!("ends at {value} {symbol}, {change}: {limit}");

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
-use super::spelling::spelled;
+use super::spelling::{spelled, without_end};
 use crate::failure::Failure;
 use crate::vehicle_corner::{End, Section, Side, end_of};
 
@@ -45,22 +45,22 @@ impl Hardpoints<'_> {
         let mut apart = self.clone();
         let is_known = |key: &str| names.is_point(key);
         let is_known_of_side = |key: &str| {
-            is_known(key) || without(key, |word| of_letter(word, false), is_known).is_some()
+            is_known(key) || without_end(key, |word| of_letter(word, false), is_known).is_some()
         };
         let is_f = |word: &str| (word == "f").then_some(());
         let mut points = self.points.iter();
-        let has_f = points.any(|point| without(&point.key, is_f, is_known_of_side).is_some());
+        let has_f = points.any(|point| without_end(&point.key, is_f, is_known_of_side).is_some());
         let meaning = |word: &str| {
             names
                 .corner_of_word(word)
                 .or_else(|| of_letter(word, has_f))
         };
         let is_known_of_corner =
-            |key: &str| is_known(key) || without(key, meaning, is_known).is_some();
+            |key: &str| is_known(key) || without_end(key, meaning, is_known).is_some();
         for point in &mut apart.points {
             // An end and a side, in any order.
             for _ in 0..2 {
-                let found = without(&point.key, meaning, is_known_of_corner);
+                let found = without_end(&point.key, meaning, is_known_of_corner);
                 // `Front axle` is no point of the spin axis.
                 let found = found.filter(|(said, own)| said.end.is_none() || own != "axle");
                 if let Some((said, own)) = found {
@@ -134,7 +134,7 @@ fn name_with_side(point: &Hardpoint, names: &Names) -> Option<String> {
     if in_english != point.key && names.is_point(&in_english) {
         return Some(in_english);
     }
-    let by_name = without(&point.key, side_of, |own| names.is_point(own));
+    let by_name = without_end(&point.key, side_of, |own| names.is_point(own));
     let (side, own) = by_name.or_else(|| Some((point.side?, point.key.clone())))?;
     names.point_of_side(side, &own)
 }
@@ -149,19 +149,4 @@ fn of_letter(word: &str, has_f: bool) -> Option<Section> {
         _ => return None,
     };
     Some(Section { end, side })
-}
-
-/// Returns the meaning of the first or the last word of a name, and the known name without it.
-fn without<T>(
-    key: &str,
-    meaning: impl Fn(&str) -> Option<T>,
-    is_known: impl Fn(&str) -> bool,
-) -> Option<(T, String)> {
-    let first = key.split_once('_');
-    let last = key.rsplit_once('_').map(|(own, word)| (word, own));
-    let mut ends = [first, last].into_iter().flatten();
-    ends.find_map(|(word, own)| {
-        let meant = meaning(word)?;
-        is_known(own).then(|| (meant, own.to_owned()))
-    })
 }

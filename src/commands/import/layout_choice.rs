@@ -1,34 +1,32 @@
 //! The choice of the layout for a file: the one that uses most of its points and lacks none.
 
 mod candidate;
+mod misfit;
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
+use std::ops::Deref;
 
 use suspension_runtime::catalogue;
 
 use super::hardpoints::{Hardpoint, Hardpoints};
-use super::layout::Layout;
 use super::names::Names;
 use super::rack::{self, RACK};
 use super::upper_wishbone::{on_upper, point_on_upper};
 use candidate::Candidate;
+use misfit::Given;
 
 /// The most missing points of a layout that the file may well be meant for.
 const FEW: usize = 2;
 
-/// A chosen listing, with the points that the file has for it.
+/// A chosen listing: a candidate that lacks no points but those that are computed from others.
 #[derive(Debug)]
 pub(super) struct Choice<'a> {
-    pub(super) layout: &'a Layout,
+    candidate: Candidate<'a>,
     /// The text of the listing, with the changes that the file asks for.
     pub(super) text: String,
     /// Whether there are such changes.
     pub(super) is_changed: bool,
-    /// The points that the file has, in the order of the listing, each with its name in the listing.
-    pub(super) found: Vec<(String, &'a Hardpoint)>,
-    /// Missing points that are computed from others.
-    pub(super) spare: Vec<String>,
     /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `text`.
     pub(super) fixed: Option<String>,
     /// A layout that would use more points of the file, and the points that it lacks.
@@ -37,13 +35,21 @@ pub(super) struct Choice<'a> {
     pub(super) upper: Option<&'static str>,
 }
 
+impl<'a> Deref for Choice<'a> {
+    type Target = Candidate<'a>;
+
+    fn deref(&self) -> &Candidate<'a> {
+        &self.candidate
+    }
+}
+
 impl<'a> Choice<'a> {
     fn new(candidate: Candidate<'a>, larger: Option<String>, stated: &Hardpoints<'_>) -> Self {
-        let point = |name: &str| point_of(&candidate.found, name);
-        let fixed = point(RACK).and_then(|inner| rack::why_fixed(inner, stated));
-        let layout = candidate.layout;
-        let upper = point_on_upper(layout.text, point);
-        let mut text = layout.text.to_owned();
+        let fixed = candidate.point(RACK);
+        let fixed = fixed.and_then(|inner| rack::why_fixed(inner, stated));
+        let layout = candidate.layout.text;
+        let upper = point_on_upper(layout, |name| candidate.point(name));
+        let mut text = layout.to_owned();
         if fixed.is_some() {
             text = rack::fixed(&text);
         }
@@ -51,14 +57,12 @@ impl<'a> Choice<'a> {
             text = on_upper(&text);
         }
         Self {
-            layout,
+            candidate,
             text,
             is_changed: fixed.is_some() || upper.is_some(),
             fixed,
             larger,
             upper,
-            found: candidate.found,
-            spare: candidate.spare,
         }
     }
 
@@ -67,30 +71,11 @@ impl<'a> Choice<'a> {
         self.layout.name
     }
 
-    /// Returns whether a point of the file is one of the listing's.
-    pub(super) fn uses(&self, point: &Hardpoint) -> bool {
-        is_used(&self.found, point)
-    }
-
     /// Returns the points that are not on the axis of the wheel, each with its name in the listing.
     pub(super) fn off_axis(&self) -> impl Iterator<Item = (&str, &'a Hardpoint)> + Clone {
         let found = self.found.iter().map(|(name, point)| (&**name, *point));
         found.filter(|(name, _)| !["wheel_centre", "axle"].contains(name))
     }
-
-    /// Returns the file's point for a point of the listing.
-    pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
-        point_of(&self.found, name)
-    }
-}
-
-fn point_of<'a>(found: &[(String, &'a Hardpoint)], name: &str) -> Option<&'a Hardpoint> {
-    let mut found = found.iter();
-    found.find_map(|(other, point)| (other == name).then_some(*point))
-}
-
-fn is_used(found: &[(String, &Hardpoint)], point: &Hardpoint) -> bool {
-    found.iter().any(|(_, used)| std::ptr::eq(*used, point))
 }
 
 /// Returns the listing that the user names, or else the one that uses most of the points.
@@ -108,8 +93,12 @@ pub(super) fn choose<'a>(
     let Some(best) = candidates.next() else {
         return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
     };
-    let others = candidates.as_slice();
-    if let Some(why) = best.does_not_fit(others, stated, points, names, wanted) {
+    let given = Given {
+        stated,
+        points,
+        names,
+    };
+    if let Some(why) = best.does_not_fit(candidates.as_slice(), given, wanted) {
         return Err(why);
     }
     match candidates.next() {
@@ -125,7 +114,7 @@ pub(super) fn choose<'a>(
         }
         other => {
             let others = other.into_iter().chain(candidates);
-            let larger = larger(others, &best).map(|larger| larger.in_words(&best, names, stated));
+            let larger = larger(others, &best).map(|larger| larger.beside(&best, given));
             Ok(Choice::new(best, larger, stated))
         }
     }

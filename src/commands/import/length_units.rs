@@ -1,24 +1,14 @@
 //! Words for units of length.
 
+use super::spelling::is_one_of;
 use crate::mechanism::Length;
 
 /// Units of length that motion files do not have.
-const OTHER_UNITS: [&str; 10] = [
-    "cm",
-    "centimeter",
-    "centimetre",
-    "centimeters",
-    "centimetres",
-    "dm",
-    "km",
-    "ft",
-    "foot",
-    "feet",
-];
+const OTHER_UNITS: &str = "cm centimeter centimetre centimeters centimetres dm km ft foot feet";
 
 /// Returns whether a word names a unit of length.
 pub(super) fn is_unit(word: &str) -> bool {
-    unit(word).is_some() || OTHER_UNITS.contains(&word)
+    unit(word).is_some() || is_one_of(word, OTHER_UNITS)
 }
 
 /// Returns the unit of length that a word names.

@@ -177,6 +177,11 @@ impl Names {
         self.known_points.contains(&self.normal(name))
     }
 
+    /// Returns whether a name is one of those of a point of a listing.
+    pub(super) fn is_of_point(&self, point: &str, name: &str) -> bool {
+        self.forms_of(point).contains(&self.normal(name))
+    }
+
     /// Returns whether the name is that of a number.
     pub(super) fn is_number(&self, name: &str) -> bool {
         self.known_numbers.contains(&self.normal(name))
@@ -234,11 +239,3 @@ fn spellings<'a>(
 
 /// Words of headings in other languages that English has too: `Rear links` and `drive train` say nothing of sides and axles.
 const ENGLISH_TOO: [&str; 6] = ["links", "train", "as", "ad", "re", "post"];
-
-/// The most points that a message names.
-pub(super) const MOST_NAMES: usize = 40;
-
-/// Returns the words on `others` that a message does not name; `None` if there are none.
-pub(super) fn and_more(others: usize) -> Option<String> {
-    (others > 0).then(|| format!("and {others} more"))
-}

@@ -4,13 +4,16 @@ use std::ops::RangeInclusive;
 
 use super::hardpoints::{Hardpoint, UnknownNumber};
 use super::imported_corner::ImportedCorner;
-use super::names::{MOST_NAMES, and_more};
+use super::listed::{MOST_NAMES, listed};
 use super::orientation::Orientation;
 use super::rack::RACK;
 use super::spelling::key_of;
 use crate::listing_description::first_sentence;
 use crate::mechanism::{Axes, Length};
 use crate::number::rounded;
+
+/// The most items of a list, and what stands between them.
+const MOST: (usize, &str) = (MOST_NAMES, ", ");
 
 impl ImportedCorner<'_> {
     /// Returns the unit of lengths and the reason for it.
@@ -93,7 +96,7 @@ impl ImportedCorner<'_> {
         };
         let unused = self.points.iter();
         let unused = unused.filter(|point| !choice.uses(point) && !is_contact(point));
-        let unused = listed(unused, |point| self.unused(point));
+        let unused = listed(unused, MOST, |point| self.unused(point));
         remarks.extend(unused.map(|unused| format!("not used: {unused}")));
         remarks.extend(contact.map(|contact| format!("the wheel radius is {}", contact.why)));
         remarks.extend(choice.larger.clone());
@@ -149,10 +152,25 @@ impl ImportedCorner<'_> {
         ))
     }
 
+    /// Notes inner ends of links and wishbones that are outboard of their outer ends.
+    fn exchanged_ends(&self) -> impl Iterator<Item = String> {
+        let pairs = self.names.arrangement.outboard.iter();
+        pairs.filter_map(|[outer, inner]| {
+            let ends = [self.choice.point(outer)?, self.choice.point(inner)?];
+            let [out, inward] = ends.map(|end| end.at[1].abs());
+            let [outer, inner] = ends.map(|end| self.stated.quoted(end));
+            (out < inward).then(|| {
+                format!(
+                    "{inner} is further from the middle of the vehicle than {outer}: have they each other's names?"
+                )
+            })
+        })
+    }
+
     /// Names the rows of numbers that are not used, each with what to do about it if that is known.
     fn unknown_numbers(&self) -> Option<String> {
         let numbers = self.stated.unknown_numbers.iter();
-        let unknown = listed(numbers, |number| {
+        let unknown = listed(numbers, MOST, |number| {
             let UnknownNumber { name, place, .. } = number;
             let advice = self.names.number_advice(&key_of(name).0);
             let advice = advice.map(|advice| format!(", {advice}"));
@@ -183,13 +201,6 @@ impl ImportedCorner<'_> {
              {moved} to lower_wishbone in the statements of the corner"
         ))
     }
-}
-
-/// Describes the first of some items, no more than a message names, and counts the others; `None` if there are none.
-fn listed<T>(mut items: impl Iterator<Item = T>, describe: impl Fn(T) -> String) -> Option<String> {
-    let mut told: Vec<String> = items.by_ref().take(MOST_NAMES).map(describe).collect();
-    told.extend(and_more(items.count()));
-    (!told.is_empty()).then(|| told.join(", "))
 }
 
 /// Says how points that the file does not have are placed; points with the same reason share a sentence.

@@ -9,6 +9,11 @@ pub(super) fn spelled(name: &str) -> String {
     words.collect::<Vec<_>>().join("_").to_lowercase()
 }
 
+/// Returns whether a word is one of several, with blanks between them.
+pub(super) fn is_one_of(word: &str, words: &str) -> bool {
+    words.split_ascii_whitespace().any(|other| other == word)
+}
+
 /// Returns whether a spelled name is that of a point on the ground, such as `wheel_centre_contact_patch`: no layout has one.
 pub(super) fn is_on_ground(name: &str) -> bool {
     is_contact(name) || name.split('_').any(|word| word == "ground")
@@ -20,14 +25,19 @@ pub(super) fn is_contact(name: &str) -> bool {
     words.any(|word| ["contact", "patch", "radaufstandspunkt"].contains(&word))
 }
 
-/// Removes the code of a corner at either end of a spelled name.
-fn without_corner(key: &str) -> Option<(String, Sides)> {
-    let ends = [
-        key.split_once('_'),
-        key.rsplit_once('_').map(|(own, code)| (code, own)),
-    ];
-    let mut ends = ends.into_iter().flatten();
-    ends.find_map(|(code, own)| Some((own.to_owned(), Sides::One(corner_of(code)?.1))))
+/// Returns the meaning of the first or the last word of a name, and the known name without it.
+pub(super) fn without_end<T>(
+    key: &str,
+    meaning: impl Fn(&str) -> Option<T>,
+    is_known: impl Fn(&str) -> bool,
+) -> Option<(T, String)> {
+    let first = key.split_once('_');
+    let last = key.rsplit_once('_').map(|(own, word)| (word, own));
+    let mut ends = [first, last].into_iter().flatten();
+    ends.find_map(|(word, own)| {
+        let meant = meaning(word)?;
+        is_known(own).then(|| (meant, own.to_owned()))
+    })
 }
 
 /// Words that are no name without the part before them, as in `lca.front` of a structure.
@@ -54,7 +64,11 @@ pub(super) fn key_of(name: &str) -> (String, Sides) {
     ];
     let mut found = prefixes.into_iter();
     let found = found.find_map(|(prefix, side)| Some((key.strip_prefix(prefix)?.to_owned(), side)));
-    let found = found.or_else(|| without_corner(&key));
+    let found = found.or_else(|| {
+        let side = |code: &str| Some(Sides::One(corner_of(code)?.1));
+        let (side, own) = without_end(&key, side, |_| true)?;
+        Some((own, side))
+    });
     found.unwrap_or((key, Sides::Unsaid))
 }
 

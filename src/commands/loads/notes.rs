@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::commands::loads::case_results::CaseResults;
 use crate::loads::{By, OneSided, Structure};
-use crate::mechanism::{Names, listed};
+use crate::mechanism::{Names, listed, quoted};
 
 /// Returns the notes on the results of all cases; cases with the same drives or springs share one.
 pub(super) fn notes(
@@ -76,9 +76,9 @@ fn tables(cases: &[&str]) -> String {
     listed(cases.iter().map(|case| format!("[loads.{case}]")))
 }
 
-fn quoted(names: &Names, springs: &[usize]) -> String {
+fn springs_in_words(names: &Names, springs: &[usize]) -> String {
     let springs = springs.iter().map(|spring| &names.vehicle.springs[*spring]);
-    listed(springs.map(|spring| format!("`{}`", spring.name)))
+    quoted(springs.map(|spring| &spring.name))
 }
 
 /// Notes the drives whose loads springs of the file could bear.
@@ -131,10 +131,10 @@ fn bear(names: &Names, drives: impl ExactSizeIterator<Item = usize>, cases: &[&s
         1 => ["drive", "bears"],
         _ => ["drives", "bear"],
     };
-    let drives = drives.map(|drive| format!("`{}`", names.drives[drive].name));
+    let drives = drives.map(|drive| &names.drives[drive].name);
     format!(
         "the {subject} {} {bears} the load of {}",
-        listed(drives),
+        quoted(drives),
         tables(cases)
     )
 }
@@ -160,7 +160,7 @@ fn does_not_act(names: &Names, [left_out, acting]: [&[usize]; 2], cases: &[&str]
     let together: Vec<&str> = together.collect();
     format!(
         "the {springs} {} {act} in {}, although {their}; write acting = {together:?} there for {rates}",
-        quoted(names, left_out),
+        springs_in_words(names, left_out),
         tables(cases)
     )
 }
@@ -174,7 +174,7 @@ fn bears_nothing(names: &Names, springs: &[usize], cases: &[&str]) -> String {
     format!(
         "the {spring} {} {acts} in {} and {bears} nothing: {measure} as at the design position at every place; move a drive \
          with --drive, or state a load at the design position, load = ..., under [springs.NAME]",
-        quoted(names, springs),
+        springs_in_words(names, springs),
         tables(cases)
     )
 }

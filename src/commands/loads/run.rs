@@ -99,8 +99,7 @@ impl<'a> Run<'a> {
         })?;
         drop(progress);
         if interrupted.load(Ordering::Relaxed) {
-            let message = format!("{}: interrupted; nothing was written", self.source);
-            return Err(Failure::Interrupted(message));
+            return Err(Failure::nothing_written(self.source));
         }
         let mut rows = self.rows(tables, &leading, &found)?;
         let mut first = None;

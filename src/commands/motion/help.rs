@@ -4,7 +4,7 @@ use suspension_core::listing::MeasureKind;
 use suspension_runtime::{Listing, catalogue as layouts};
 
 use crate::mechanism::{
-    Axle, Coupling, Mass, Names, Spring, SteeringWheel, Torque, Unit, Vehicle, Wheel, WheelPoints,
+    Axle, Mass, Names, Spring, SteeringWheel, Torque, Unit, Vehicle, Wheel, WheelPoints,
 };
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
@@ -75,17 +75,13 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
             ..WheelPoints::default()
         },
         travel: Some(travel),
-        lifted_by: Vec::new(),
         steer: Some(0),
         radius: Some(0.3),
         axle: Some(axle),
         brake_share: Some(0.5),
         drive_share: Some(0.5),
-        brake_torque: Torque::Carrier,
         drive_torque: Torque::Chassis,
-        design: None,
-        is_in_middle: false,
-        coupling: Coupling::default(),
+        ..Wheel::default()
     }
 }
 

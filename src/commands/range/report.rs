@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use suspension_core::listing::DriveKind;
 
-use crate::file::Dimension;
 use crate::mechanism::{Description, Unit, describe_change_from_design};
 use crate::number::{counted, rounded};
 use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, holds, meeting, moves_alone};
@@ -49,12 +48,8 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
 
 /// How far an end is from the design position, as `check` counts it.
 fn change(mechanism: &Description, range: &DriveRange, end: &RangeEnd) -> String {
-    let (unit, dimension) = (mechanism.unit, Dimension::from(range.kind));
     let change = end.value - mechanism.design[range.index];
-    describe_change_from_design(
-        change * dimension.file_factor(unit),
-        &dimension.symbol(unit),
-    )
+    describe_change_from_design(change, range.kind, mechanism.unit)
 }
 
 fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> String {

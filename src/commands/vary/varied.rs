@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::kinematics::{Kinematics, misplaced_points};
-use crate::mechanism::listed;
+use crate::mechanism::quoted;
 use crate::number::{rounded, without_rounding};
 use crate::sensitivities::Change;
 
@@ -37,8 +37,7 @@ impl Varied<'_> {
         let largest = largest.max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
         let points = misplaced_points(self.mechanism, self.change.per_unit.times(largest).points);
         let names = &self.mechanism.names.points;
-        let points = points.iter().map(|point| format!("`{}`", names[*point]));
-        let points = listed(points);
+        let points = quoted(points.iter().map(|point| &names[*point]));
         (!points.is_empty()).then(|| {
             format!(
                 "with {} the points do not satisfy the listing; the suspension is assembled with {points} elsewhere",

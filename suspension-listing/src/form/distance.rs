@@ -1,6 +1,6 @@
 //! Two points a constant length apart: `(|d|^2 - L^2) / (2 L)`.
 
-use super::{Dependence, Equations};
+use super::Equations;
 use crate::site::Site;
 use crate::vector::{Vector, dot, minus};
 
@@ -14,10 +14,6 @@ pub struct Distance {
 impl Equations for Distance {
     fn sites(&self) -> Vec<&Site> {
         vec![&self.from, &self.to]
-    }
-
-    fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
-        Dependence::Any
     }
 
     fn constants(&self, at: &[Vector]) -> Option<Vector> {

@@ -1,6 +1,6 @@
 //! Two lines of constant lengths at an angle that stays: `(d . e - c |d| |e|) / (|d| + |e|)`.
 
-use super::{Dependence, Equations};
+use super::Equations;
 use crate::site::Site;
 use crate::vector::{Vector, dot, minus};
 
@@ -17,10 +17,6 @@ fn lines(at: &[Vector]) -> [Vector; 2] {
 impl Equations for Product {
     fn sites(&self) -> Vec<&Site> {
         self.lines.iter().flatten().collect()
-    }
-
-    fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
-        Dependence::Any
     }
 
     /// `d . e` and `|d| + |e|`.

@@ -31,10 +31,6 @@ impl Equations for Stretch {
         Some(vec![length(at)])
     }
 
-    fn dependence(&self, _row: usize, _site: usize, _axis: usize) -> Dependence {
-        Dependence::Any
-    }
-
     fn constants(&self, at: &[Vector]) -> Option<Vector> {
         let length = length(at);
         (length > 0.0).then_some([length, 0.0, 0.0])

@@ -37,20 +37,18 @@ impl<S: Copy> Anchors<S> {
         Ok(Self(anchors))
     }
 
-    /// The configuration at a value, led there from the nearest anchor; `None` if there is none.
+    /// The configuration at a value, led there from the nearest anchor.
     pub(super) fn led_to(
         &self,
         at: f64,
         follow: impl Fn([f64; 2], &mut S) -> Result<(), Stop>,
-    ) -> Result<Option<S>, OutOfReach> {
+    ) -> Result<S, OutOfReach> {
         let distance = |(from, _): &&(f64, S)| (from - at).abs();
         let anchors = self.0.iter();
         let nearest = anchors.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let Some((from, mut configuration)) = nearest.copied() else {
-            return Ok(None);
-        };
+        let (from, mut configuration) = *nearest.unwrap_or(&self.0[0]);
         let followed = follow([from, at], &mut configuration);
         followed.map_err(|stop| OutOfReach::from_stop(from, stop))?;
-        Ok(Some(configuration))
+        Ok(configuration)
     }
 }

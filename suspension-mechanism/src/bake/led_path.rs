@@ -92,9 +92,7 @@ impl<L: Suspension<N>, const N: usize> Exact for LedPath<'_, L, N> {
     fn at(&self, at: f64) -> Result<Vec<Derivatives>, OutOfReach> {
         let Way { driven, held, .. } = &self.way;
         let follow = |ends, led: &mut _| self.way.follow(ends, led);
-        let Some(led) = self.anchors.led_to(at, follow)? else {
-            return Ok(Vec::new());
-        };
+        let led = self.anchors.led_to(at, follow)?;
         Ok(driven.read(&led.points(driven.model(), held)))
     }
 }

@@ -73,9 +73,7 @@ impl<L: Suspension<N>, const N: usize> Exact for Path<'_, L, N> {
             drive,
         } = &self.way;
         let follow = |ends, motion: &mut _| self.way.follow(ends, motion);
-        let Some(motion) = self.anchors.led_to(at, follow)? else {
-            return Ok(Vec::new());
-        };
+        let motion = self.anchors.led_to(at, follow)?;
         let unit = L::Drives::default().with(*drive, 1.0);
         let read = driven.derivatives(&motion, held.with(*drive, at), [unit]);
         let [along] = read.map_err(|cause| OutOfReach {

@@ -29,14 +29,13 @@ pub fn check_spans(
     if names.vehicle.travel.is_empty() {
         return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
     }
-    let notes = Mode::all(mechanism).into_iter().filter_map(|mode| {
-        let kind = names.drives[mode.drives[0].0].kind;
-        match spans[option_of(&mode)] {
-            _ if kind != DriveKind::Coordinate => None,
+    let notes = Mode::all(mechanism)
+        .into_iter()
+        .filter_map(|mode| match spans[option_of(&mode)] {
+            _ if mode.kind != DriveKind::Coordinate => None,
             Some(span) => note_on_stated(file, &mode, span, unit),
             None => note_on_usual(file, &mode, mechanism.unit),
-        }
-    });
+        });
     Ok(notes.collect())
 }
 

@@ -1,5 +1,6 @@
 //! The states along travel, in heave and in roll of an axle, and along steering.
 
+use std::ops::Deref;
 use std::sync::atomic::AtomicBool;
 
 use suspension_core::listing::DriveKind;
@@ -12,24 +13,25 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{CountedFrom, DerivativeOrder, Grid, GridAxis, Place, State, Unit, Visited};
 use crate::number::number;
 
-/// The states along a drive, or along several that move together.
+/// The states in a mode.
 pub struct ModeStates {
-    /// Its name: that of the drive, or `heave`, or `roll`.
-    pub title: String,
+    mode: Mode,
     /// The effect of the drives.
     pub movement: Movement,
-    /// A description of what moves.
-    pub moved: String,
-    /// The drives, by number, each with its fraction of the change.
-    pub drives: Vec<(usize, f64)>,
-    /// The kind of the change.
-    pub kind: DriveKind,
     /// The changes from the design position.
     pub changes: Vec<f64>,
     /// Whether their range is the usual one, because the user states none.
     pub is_usual: bool,
     /// Each state, and the state with derivatives with respect to each of the drives.
     pub visited: Visited<(State, Vec<Option<State>>)>,
+}
+
+impl Deref for ModeStates {
+    type Target = Mode;
+
+    fn deref(&self) -> &Mode {
+        &self.mode
+    }
 }
 
 /// The number of places of each curve.
@@ -47,14 +49,11 @@ pub fn mode_states(
     unit: Unit,
     interrupted: &AtomicBool,
 ) -> Vec<ModeStates> {
-    let names = &mechanism.names;
     let mut modes: Vec<ModeStates> = Vec::new();
     for mode in Mode::all(mechanism) {
-        let option = option_of(&mode);
-        let kind = names.drives[mode.drives[0].0].kind;
-        let span = spans[option];
+        let stated = spans[option_of(&mode)];
         let metre = mechanism.unit.metre();
-        let span = match (span, kind) {
+        let span = match (stated, mode.kind) {
             (Some(Span(ends)), DriveKind::Coordinate) => ends.map(|end| end / unit.metre() * metre),
             (Some(Span(ends)), DriveKind::Angle | DriveKind::Turn) => {
                 ends.map(|end| end / unit.angle.radian())
@@ -67,17 +66,38 @@ pub fn mode_states(
         let Some(span) = within_travel(mode.effect, span) else {
             continue;
         };
-        let is_same = |states: &&ModeStates| states.movement.effect == mode.effect;
-        let number = 1 + modes.iter().filter(is_same).count();
-        modes.push(compute_states(
-            mechanism,
+        let changes = through_design(span, PLACES);
+        let effect = mode.effect;
+        let number = 1 + modes.iter().filter(|other| other.effect == effect).count();
+        modes.push(ModeStates {
+            visited: visited(mechanism, &mode, &changes, interrupted),
             mode,
-            number,
-            (kind, span, spans[option].is_none()),
-            interrupted,
-        ));
+            movement: Movement { effect, number },
+            changes,
+            is_usual: stated.is_none(),
+        });
     }
     modes
+}
+
+/// The states at changes of the drives of a mode.
+fn visited(
+    mechanism: &dyn Kinematics,
+    Mode { drives, .. }: &Mode,
+    changes: &[f64],
+    interrupted: &AtomicBool,
+) -> Visited<(State, Vec<Option<State>>)> {
+    let axis = GridAxis {
+        drives: drives.clone(),
+        values: changes.to_vec(),
+    };
+    // This small number of places is always accepted.
+    let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).unwrap_or_default();
+    let mut read = |place: &dyn Place| {
+        let per = drives.iter().map(|(drive, _)| place.per(*drive));
+        (place.state(), per.collect())
+    };
+    mechanism.visit(&grid, DerivativeOrder::First, interrupted, &mut read)
 }
 
 /// The usual largest change of a drive to either side: in the unit of lengths, or in radians.
@@ -150,42 +170,4 @@ pub fn shorter_roll(mechanism: &dyn Kinematics, travel: Option<Span>) -> Option<
         None => "there are no curves over roll, as within --travel no wheel moves both up and down"
             .to_owned(),
     })
-}
-
-fn compute_states(
-    mechanism: &dyn Kinematics,
-    mode: Mode,
-    number: usize,
-    (kind, span, is_usual): (DriveKind, [f64; 2], bool),
-    interrupted: &AtomicBool,
-) -> ModeStates {
-    let Mode {
-        title,
-        effect,
-        moved,
-        drives,
-        rise: _,
-    } = mode;
-    let changes = through_design(span, PLACES);
-    let axis = GridAxis {
-        drives: drives.clone(),
-        values: changes.clone(),
-    };
-    // This small number of places is always accepted.
-    let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).unwrap_or_default();
-    let mut read = |place: &dyn Place| {
-        let per = drives.iter().map(|(drive, _)| place.per(*drive));
-        (place.state(), per.collect())
-    };
-    let visited = mechanism.visit(&grid, DerivativeOrder::First, interrupted, &mut read);
-    ModeStates {
-        title,
-        movement: Movement { effect, number },
-        moved,
-        drives,
-        kind,
-        changes,
-        is_usual,
-        visited,
-    }
 }

@@ -3,28 +3,32 @@
 use std::collections::BTreeSet;
 
 use nalgebra::{Matrix2, Vector2};
+use suspension_core::listing::DriveKind;
 
 use crate::characteristics::movement::Effect;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Description, Names, Pair, Place, Wheel, listed};
+use crate::mechanism::{Description, Drive, Names, Pair, Place, Wheel, quoted};
 
 /// A mode in which wheels move.
-pub(super) struct Mode {
-    /// Its name.
-    pub(super) title: String,
-    pub(super) effect: Effect,
+pub struct Mode {
+    /// Its name: that of the drive, or `heave`, or `roll`.
+    pub title: String,
+    /// The effect of its drives.
+    pub effect: Effect,
     /// A description of what moves.
-    pub(super) moved: String,
-    /// The drives, by number, each with its fraction.
-    pub(super) drives: Vec<(usize, f64)>,
+    pub moved: String,
+    /// The drives, by number, each with its fraction of the change.
+    pub drives: Vec<(usize, f64)>,
+    /// The kind of the change.
+    pub kind: DriveKind,
     /// How far the wheels rise per change in travel; `None` in roll and steering, and where it is unknown.
-    pub(super) rise: Option<f64>,
+    pub rise: Option<f64>,
 }
 
 impl Mode {
     /// `way` is the sign of the drive's fraction.
     fn for_drive(names: &Names, drive: usize, effect: Effect, way: f64) -> Self {
-        let name = &names.drives[drive].name;
+        let Drive { name, kind } = &names.drives[drive];
         let (title, moved) = if way < 0.0 {
             (
                 format!("{name} upwards"),
@@ -38,6 +42,7 @@ impl Mode {
             effect,
             moved,
             drives: vec![(drive, way)],
+            kind: *kind,
             rise: None,
         }
     }
@@ -50,6 +55,7 @@ impl Mode {
         travel: [usize; 2],
     ) -> [Self; 2] {
         let [first, second] = travel.map(|drive| names.drives[drive].name.as_str());
+        let kind = names.drives[travel[0]].kind;
         let of_axle = |what: &str| format!("{axle} {what}").trim_start().to_owned();
         let drives = |parts: [f64; 2]| travel.into_iter().zip(parts).collect();
         let both = rises.parts(wheels, [1.0, 1.0]);
@@ -58,6 +64,7 @@ impl Mode {
             effect: Effect::Travel,
             moved: format!("change of {first} and {second}, both upwards"),
             drives: drives(both),
+            kind,
             rise: rises.rise_of_first(wheels, both),
         };
         let roll = Self {
@@ -65,6 +72,7 @@ impl Mode {
             effect: Effect::Roll,
             moved: format!("change of {first} upwards and of {second} downwards"),
             drives: drives(rises.parts(wheels, [1.0, -1.0])),
+            kind,
             rise: None,
         };
         [heave, roll]
@@ -120,10 +128,7 @@ pub fn counted_downwards(mechanism: &dyn Kinematics) -> Option<String> {
     let wheels = names.wheels.iter().enumerate();
     let downwards = wheels.filter(|(wheel, _)| rises.upwards(*wheel) < 0.0);
     let drives: BTreeSet<usize> = downwards.filter_map(|(_, wheel)| wheel.travel).collect();
-    let called = drives
-        .iter()
-        .map(|drive| format!("`{}`", names.drives[*drive].name));
-    let called = listed(called);
+    let called = quoted(drives.iter().map(|drive| &names.drives[*drive].name));
     let verb = if drives.len() == 1 {
         "becomes"
     } else {

@@ -58,14 +58,14 @@ impl Force {
 }
 
 /// Forces at the points of a part that act on it.
-fn forces_on_part<const K: usize>(points: &[usize; K], forces: [Vector3<f64>; K]) -> Vec<Force> {
-    let each = points.iter().zip(forces);
-    each.map(|(point, force)| Force {
-        point: *point,
+fn forces_on_part(forces: Vec<(usize, Vector3<f64>)>) -> Vec<Force> {
+    let part: Vec<usize> = forces.iter().map(|(point, _)| *point).collect();
+    let each = forces.into_iter().map(|(point, force)| Force {
+        point,
         force,
-        on: On::Having(points.to_vec()),
-    })
-    .collect()
+        on: On::Having(part.clone()),
+    });
+    each.collect()
 }
 
 /// The sum of the forces at each point.
@@ -116,19 +116,30 @@ impl Here<'_> {
 
     /// The forces of loads, N and N m, at places.
     pub(super) fn forces_at_sites(&self, loads: &[(Site, [Vector3<f64>; 2])]) -> Vec<Force> {
-        let each = loads.iter().map(|(site, [force, moment])| match *site {
-            Site::Point(point) => vec![Force {
-                point,
-                force: *force,
-                on: On::Point,
-            }],
-            Site::Body(_, body) => self.spread(body, self.place_of(*site), *force, *moment),
-            Site::Contact(wheel) => {
-                let body = self.mechanism.names.wheels[wheel].points.carrier;
-                self.spread(body, self.place_of(*site), *force, *moment)
-            }
-        });
-        each.flatten().collect()
+        let each = loads.iter();
+        each.flat_map(|(site, load)| self.forces_at_site(*site, *load))
+            .collect()
+    }
+
+    /// The forces of a force and a moment at a place; at a body they are spread over three points of it.
+    fn forces_at_site(&self, site: Site, [force, moment]: [Vector3<f64>; 2]) -> Vec<Force> {
+        let on = On::Point;
+        let body = match site {
+            Site::Point(point) => return vec![Force { point, force, on }],
+            Site::Body(_, body) => body,
+            Site::Contact(wheel) => self.mechanism.names.wheels[wheel].points.carrier,
+        };
+        let points = body.map(|point| self.points()[point]);
+        let moment = moment * self.mechanism.unit.metre();
+        let forces = spread(points, force, self.place_of(site), moment);
+        forces_on_part(body.into_iter().zip(forces).collect())
+    }
+
+    /// The forces of a force at a point, which acts on the body that carries the point if it is a marker.
+    fn forces_at_point(&self, point: usize, force: Vector3<f64>) -> Vec<Force> {
+        let carrier = self.carriers.iter().find(|(marker, _)| *marker == point);
+        let site = carrier.map_or(Site::Point(point), |(_, body)| Site::Body(point, *body));
+        self.forces_at_site(site, [force, Vector3::zeros()])
     }
 
     /// The forces of loads in measures, by number: N, or N m for an angle.
@@ -140,7 +151,7 @@ impl Here<'_> {
 
     /// The forces of a load in one measure: along its derivative with respect to each point.
     pub(super) fn forces_in_measure(&self, measure: usize, along: f64) -> Vec<Force> {
-        let mut acting = self.forces_at_points(measure, along);
+        let mut acting = self.forces_of_measure(measure, along);
         let mut forces = Vec::new();
         // A load at a marker acts on its body in any case.
         let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
@@ -166,13 +177,12 @@ impl Here<'_> {
         }
         let rest = acting.into_iter().enumerate();
         let rest = rest.filter(|(_, force)| *force != Vector3::zeros());
-        let rest = rest.map(|(point, force)| (self.site_of(point), [force, Vector3::zeros()]));
-        forces.extend(self.forces_at_sites(&rest.collect::<Vec<_>>()));
+        forces.extend(rest.flat_map(|(point, force)| self.forces_at_point(point, force)));
         forces
     }
 
     /// The forces at the points of a load in a measure: along its derivative with respect to each.
-    fn forces_at_points(&self, measure: usize, along: f64) -> Vec<Vector3<f64>> {
+    fn forces_of_measure(&self, measure: usize, along: f64) -> Vec<Vector3<f64>> {
         let along = match self.mechanism.names.measures[measure].kind {
             MeasureKind::Angle => along * self.mechanism.unit.metre(),
             MeasureKind::Length => along,
@@ -183,7 +193,7 @@ impl Here<'_> {
 
     /// The moments, N m, of a load in an angle on each part, by number, that carries a line of the angle or its axis.
     pub(super) fn moments_in(&self, angle: usize, along: f64) -> Vec<(usize, Vector3<f64>)> {
-        let acting = self.forces_at_points(angle, along);
+        let acting = self.forces_of_measure(angle, along);
         let at = |point: usize| self.points()[point];
         let mut moments: Vec<(usize, Vector3<f64>)> = Vec::new();
         for share in &self.measured[angle] {
@@ -205,38 +215,12 @@ impl Here<'_> {
         let mut all = Vec::new();
         for mass in self.state.masses.iter() {
             let forces = mass.forces(&self.state.points, metre, field)?;
-            if let (Mass::At(point, _), [(_, force)]) = (mass, forces.as_slice()) {
-                all.extend(
-                    self.forces_at_sites(&[(self.site_of(*point), [*force, Vector3::zeros()])]),
-                );
-                continue;
-            }
-            let part: Vec<usize> = forces.iter().map(|(point, _)| *point).collect();
-            all.extend(forces.into_iter().map(|(point, force)| Force {
-                point,
-                force,
-                on: On::Having(part.clone()),
-            }));
+            all.extend(match (mass, forces.as_slice()) {
+                (Mass::At(point, _), [(_, force)]) => self.forces_at_point(*point, *force),
+                _ => forces_on_part(forces),
+            });
         }
         Some(all)
-    }
-
-    fn site_of(&self, point: usize) -> Site {
-        let carrier = self.carriers.iter().find(|(marker, _)| *marker == point);
-        carrier.map_or(Site::Point(point), |(_, body)| Site::Body(point, *body))
-    }
-
-    /// A force and a moment at a place of a body, spread over three points of it.
-    fn spread(
-        &self,
-        body: [usize; 3],
-        place: Vector3<f64>,
-        force: Vector3<f64>,
-        moment: Vector3<f64>,
-    ) -> Vec<Force> {
-        let points = body.map(|point| self.points()[point]);
-        let moment = moment * self.mechanism.unit.metre();
-        forces_on_part(&body, spread(points, force, place, moment))
     }
 
     /// The point where a wheel touches the ground.

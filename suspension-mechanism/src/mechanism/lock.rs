@@ -1,11 +1,13 @@
 //! The end of a motion that its drives lead: the drive that turns there, and the link or hinge that limits it.
 
+mod at_drives;
 mod blocking_link;
 pub(super) mod end_of_angle;
 mod turning_drive;
 
 use nalgebra::SVector;
 use suspension_core::SolveError;
+use suspension_core::listing::DriveKind;
 use suspension_core::step::stepper::Stopped;
 
 use crate::file::{Dimension, Unit};
@@ -98,11 +100,8 @@ impl Lock {
             }
             Some(turns) => {
                 let drive = &names.drives[turns];
-                let change = describe_change_from_design(
-                    (self.drives[turns] - design[turns])
-                        * Dimension::from(drive.kind).file_factor(unit),
-                    &Dimension::from(drive.kind).symbol(unit),
-                );
+                let change = self.drives[turns] - design[turns];
+                let change = describe_change_from_design(change, drive.kind, unit);
                 format!("the drive `{}` locks {change} ({drives})", drive.name)
             }
             None => {
@@ -157,11 +156,10 @@ pub fn report_of_singular(file: &str) -> String {
 }
 
 /// A description of a drive's change from the design position, such as `at +0.0712 m from the design`.
-pub fn describe_change_from_design(change: f64, symbol: &str) -> String {
+pub fn describe_change_from_design(change: f64, kind: DriveKind, unit: Unit) -> String {
     const DIGITS: usize = 4;
+    let dimension = Dimension::from(kind);
+    let size = rounded((change * dimension.file_factor(unit)).abs(), DIGITS);
     let sign = if change < 0.0 { "-" } else { "+" };
-    format!(
-        "at {sign}{} {symbol} from the design",
-        rounded(change.abs(), DIGITS)
-    )
+    format!("at {sign}{size} {} from the design", dimension.symbol(unit))
 }

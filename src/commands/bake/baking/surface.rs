@@ -2,7 +2,7 @@
 
 use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
-use crate::commands::bake::baking::{Baking, Variable, interrupted};
+use crate::commands::bake::baking::{Baking, Variable};
 use crate::failure::Failure;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
@@ -34,7 +34,7 @@ impl Baking<'_> {
             format!("{} = {from} to {to} {symbol}", self.name(along))
         });
         let reason = match unmet {
-            UnmetSurface::Interrupted => return interrupted(self.file),
+            UnmetSurface::Interrupted => return Failure::nothing_written(self.file),
             UnmetSurface::OutOfReach { drives, cause } => {
                 let place = along.iter().zip(drives);
                 let place = place.map(|(along, local)| self.in_words(along, *local));

@@ -1,6 +1,7 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
 use crate::commands::import::length_units::{is_unit, unit};
+use crate::commands::import::spelling::is_one_of;
 use crate::vehicle_corner::{End, Section, Side, end_of};
 
 /// Words of a suspension in headings.
@@ -10,17 +11,7 @@ const OF_SUSPENSION: [&str; 5] = ["suspension", "axle", "corner", "hardpoints", 
 const OF_SIDE: [&str; 6] = ["left", "right", "lh", "rh", "lhs", "rhs"];
 
 /// Words in a remark on where coordinates are measured from, such as `x from the rear axle`, before those of the place.
-const OF_ORIGIN: [&str; 9] = [
-    "origin",
-    "at",
-    "from",
-    "datum",
-    "reference",
-    "relative",
-    "behind",
-    "ahead",
-    "zero",
-];
+const OF_ORIGIN: &str = "origin at from datum reference relative behind ahead zero";
 
 /// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
 /// `Front lower wishbone` is of a part.
@@ -34,7 +25,7 @@ pub(super) fn end_of_heading(words: &str) -> Option<End> {
 
 /// Returns the words of a heading before a remark on the origin.
 fn before_origin<'a, 'w>(words: &'a [&'w str]) -> &'a [&'w str] {
-    let origin = words.iter().position(|word| OF_ORIGIN.contains(word));
+    let origin = words.iter().position(|word| is_one_of(word, OF_ORIGIN));
     &words[..origin.unwrap_or(words.len())]
 }
 
@@ -44,32 +35,15 @@ fn is_of_axle(word: &str) -> bool {
 }
 
 /// Words of a heading above groups of columns, beside those of corners, axes and units.
-const OF_COLUMNS: [&str; 17] = [
-    "point",
-    "points",
-    "name",
-    "hardpoint",
-    "hardpoints",
-    "side",
-    "hand",
-    "wheel",
-    "corner",
-    "axle",
-    "suspension",
-    "mass",
-    "kg",
-    "remark",
-    "remarks",
-    "comment",
-    "comments",
-];
+const OF_COLUMNS: &str = "\
+    point points name hardpoint hardpoints side hand wheel corner axle suspension mass kg remark remarks comment comments";
 
 /// Returns the corners of groups of columns, such as `Left` and `Right`, `Front x, y, z` and `Rear x, y, z`, or the four corners.
 /// The groups `above` may each stand over several, as `Front` and `Rear` over `Left`, `Right`, `Left`, `Right`.
 pub(super) fn column_groups(words: &[&str], above: &[Section]) -> Option<Vec<Section>> {
     let is_other = |word: &&str| {
         let is_axis = ["x", "y", "z"].contains(word);
-        is_axis || OF_COLUMNS.contains(word) || unit(word).is_some()
+        is_axis || is_one_of(word, OF_COLUMNS) || unit(word).is_some()
     };
     let corners = words.iter().filter(|word| !is_other(word));
     let said: Option<Vec<Section>> = corners.map(|word| Section::of_word(word)).collect();
@@ -149,31 +123,16 @@ pub(super) fn check_columns(words: &[&str]) -> Result<(), String> {
 }
 
 /// Words of a remark on the unit of lengths.
-const OF_LENGTHS: [&str; 16] = [
-    "unit",
-    "units",
-    "einheit",
-    "einheiten",
-    "angaben",
-    "maße",
-    "werte",
-    "length",
-    "lengths",
-    "dimensions",
-    "coordinates",
-    "values",
-    "point",
-    "points",
-    "hardpoint",
-    "hardpoints",
-];
+const OF_LENGTHS: &str = "\
+    unit units einheit einheiten angaben maße werte length lengths dimensions coordinates values point points hardpoint \
+    hardpoints";
 
 /// Returns the units in the headings of columns, in a line of units, or in a remark on units.
 pub(super) fn units_of_heading<'a>(words: &[&'a str]) -> Vec<&'a str> {
     let said = |word: &str| words.contains(&word);
     let of_columns = said("x") && said("y") && said("z");
     let of_units = words.iter().all(|word| is_unit(word));
-    let remarked = OF_LENGTHS.iter().any(|word| said(word));
+    let remarked = words.iter().any(|word| is_one_of(word, OF_LENGTHS));
     if !(of_columns || of_units || remarked) {
         return Vec::new();
     }

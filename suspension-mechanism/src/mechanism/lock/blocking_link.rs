@@ -1,15 +1,14 @@
 //! The link that keeps a mechanism from following its drives, and the length that it would need; or the hinge.
 
 use nalgebra::SVector;
-use suspension_core::solve::lu::Lu;
-use suspension_core::solve::motion::Prescribed;
-use suspension_core::{Inputs, Linkage, Still, Values};
+use suspension_core::Values;
 
 use crate::file::Unit;
+use crate::mechanism::lock::at_drives::{AtDrives, AtLock};
 use crate::mechanism::motion::drive_laws::DriveLaws;
 use crate::mechanism::parts::hinge::Hinge;
 use crate::mechanism::parts::names::Names;
-use crate::mechanism::parts::words::listed;
+use crate::mechanism::parts::words::quoted;
 use crate::mechanism::suspension::Suspension;
 use crate::number::rounded;
 
@@ -28,15 +27,6 @@ pub(crate) struct BlockingLink {
 
 /// The number of instants on the way from the last configuration to the requested one.
 const INSTANTS: i32 = 40;
-
-/// The largest number of corrections at each of them.
-const CORRECTIONS: usize = 30;
-
-/// The change of the configuration below which the corrections end, as a fraction of the mechanism's size.
-const CORRECTED: f64 = 1e-9;
-
-/// The longest step along the configurations that all other equations allow, as a fraction of the mechanism's size.
-const LONGEST: f64 = 0.1;
 
 /// How far other equations may be off at the end, as a fraction of the mechanism's size.
 const CLOSED: f64 = 1e-6;
@@ -57,7 +47,7 @@ impl BlockingLink {
         times: [f64; 2],
         q: &SVector<f64, N>,
     ) -> Option<Self> {
-        let at_lock = AtDrives::new(model, drives, times[0]).analyse_lock(q)?;
+        let at_lock = AtDrives::new(model, &drives.inputs(times[0])).analyse_lock(q)?;
         let shares = &at_lock.shares;
         // A line of a driven or held angle would have another angle if it were longer.
         let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
@@ -81,8 +71,7 @@ impl BlockingLink {
     pub(crate) fn fault(&self) -> String {
         let fault = if self.is_short { "short" } else { "long" };
         let are = if self.names.len() == 1 { "is" } else { "are" };
-        let names = listed(self.names.iter().map(|name| format!("`{name}`")));
-        format!("{names} {are} too {fault}")
+        format!("{} {are} too {fault}", quoted(&self.names))
     }
 
     /// The fault, and the lengths if the digits shown differ.
@@ -117,10 +106,11 @@ fn needed_length<L: Suspension<N>, const N: usize>(
 ) -> Option<f64> {
     for instant in 1..=INSTANTS {
         let part = f64::from(instant) / f64::from(INSTANTS);
-        let place = AtDrives::new(model, drives, reached + (asked - reached) * part);
+        let time = reached + (asked - reached) * part;
+        let place = AtDrives::new(model, &drives.inputs(time));
         q = place.nearest(q, equation, &mut along)?;
     }
-    let off = AtDrives::new(model, drives, asked).residual(&q);
+    let off = AtDrives::new(model, &drives.inputs(asked)).residual(&q);
     let closed = CLOSED * model.size();
     let is_closed = (0..N).all(|row| row == equation || off[row].abs() <= closed);
     // The equation of a distance is (d^2 - L^2) / (2 L).
@@ -136,7 +126,8 @@ pub(crate) fn find_hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let AtLock { shares, along, .. } = AtDrives::new(model, drives, reached).analyse_lock(q)?;
+    let AtLock { shares, along, .. } =
+        AtDrives::new(model, &drives.inputs(reached)).analyse_lock(q)?;
     let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&along));
     let share = |hinge: &Hinge| {
         let rows = (0..N).filter(|row| hinge.has(*row));
@@ -155,111 +146,4 @@ fn greatest<T>(shares: impl Iterator<Item = (T, f64)> + Clone) -> Option<T> {
     let mut large = shares.filter(|(_, share)| share.abs() > LEAST_SHARE);
     let (named, _) = large.find(|(_, share)| share.abs() >= greatest * (1.0 - EQUAL))?;
     Some(named)
-}
-
-/// A mechanism at its lock. The rows of its Jacobian `J` are linearly dependent, `f^T J = 0`, and a motion `v`
-/// changes no equation to first order, `J v = 0`. To second order a drive `s` with `f^T dF/ds = 1` has
-/// `s'' = -f^T C(v, v)` along it: the equations with large `f_k C_k(v, v)` prevent the drive from going further. The
-/// forces `f` alone do not show which these are: a link that bears much and does not rotate has `C_k(v, v) = 0`.
-pub(crate) struct AtLock<const N: usize> {
-    /// `f`, a unit vector.
-    pub(crate) forces: SVector<f64, N>,
-    /// The share of each equation, `f_k C_k(v, v) / f^T C(v, v)`. Their sum is one; equations with a negative share
-    /// let the drive go on. A link has `C_k(v, v) > 0`: if its share is positive, the drive would go on if it were longer,
-    /// otherwise if it were shorter.
-    shares: SVector<f64, N>,
-    /// `v`, a unit vector.
-    along: SVector<f64, N>,
-}
-
-/// A mechanism whose drives have the values of a time.
-pub(crate) struct AtDrives<'a, L: Linkage<N>, const N: usize> {
-    model: &'a L,
-    fixed: L::Fixed,
-    drives: L::Drives,
-}
-
-impl<'a, L: Suspension<N>, const N: usize> AtDrives<'a, L, N> {
-    fn new(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
-        Self::of(model, &drives.inputs(t))
-    }
-
-    /// The place with these drives.
-    pub(crate) fn of(model: &'a L, inputs: &Inputs<Still, L::Drives>) -> Self {
-        let Prescribed { fixed, drives } = Prescribed::new(model, inputs);
-        Self {
-            model,
-            fixed: fixed.value,
-            drives: drives.value,
-        }
-    }
-
-    pub(crate) fn residual(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
-        self.model.residual(q, &self.fixed, &self.drives)
-    }
-
-    /// `f` and `v` by inverse iteration: they are the singular vectors of the smallest singular value.
-    pub(crate) fn analyse_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
-        let still = L::Fixed::default();
-        let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
-        let mut forces = SVector::<f64, N>::from_element(1.0);
-        let mut along = forces;
-        for _ in 0..3 {
-            along = factors.solve(&forces).normalize();
-            forces = factors.solve_transposed(&along).normalize();
-        }
-        let bend = self.model.curvature(&along, &still, &along, &still);
-        let shares = forces.component_mul(&bend) / forces.dot(&bend);
-        Some(AtLock {
-            forces,
-            shares,
-            along,
-        })
-    }
-
-    /// The configuration where all equations but that of a link hold and the error of this one is as small as
-    /// possible. The configurations that the others allow form a curve, with a direction near `along`; Newton's
-    /// method moves on it to where the link's error is stationary.
-    fn nearest(
-        &self,
-        mut q: SVector<f64, N>,
-        link: usize,
-        along: &mut SVector<f64, N>,
-    ) -> Option<SVector<f64, N>> {
-        let still = L::Fixed::default();
-        let size = self.model.size();
-        let others = |mut rows: SVector<f64, N>| {
-            rows[link] = 0.0;
-            rows
-        };
-        let mut alone = SVector::zeros();
-        alone[link] = 1.0;
-        for _ in 0..CORRECTIONS {
-            let mut jacobian = self.model.jacobian(&q, &self.fixed);
-            let of_link = jacobian.row(link).transpose();
-            jacobian.set_row(link, &along.transpose());
-            let factors = Lu::factor(&jacobian).ok()?;
-            let tangent = factors.solve(&alone);
-            let residual = self.residual(&q);
-            let onto_curve = factors.solve(&others(residual));
-            let bend = self.model.curvature(&tangent, &still, &tangent, &still);
-            let bent = factors.solve(&others(bend));
-            let off = residual[link] - of_link.dot(&onto_curve);
-            let slope = of_link.dot(&tangent);
-            let second_slope = bend[link] - of_link.dot(&bent);
-            let step = if off * second_slope > 0.0 {
-                slope / second_slope
-            } else {
-                (off * slope).signum() * LONGEST * size
-            };
-            let step = step.clamp(-LONGEST * size, LONGEST * size);
-            let correction = onto_curve + tangent * step;
-            q -= correction;
-            *along = tangent.normalize();
-            if correction.amax() < CORRECTED * size {
-                break;
-            }
-        }
-        Some(q)
-    }
 }

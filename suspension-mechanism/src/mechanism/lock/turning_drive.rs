@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};
 use suspension_core::{Inputs, Signal, Still, Values};
 
-use crate::mechanism::lock::blocking_link::AtDrives;
+use crate::mechanism::lock::at_drives::AtDrives;
 use crate::mechanism::suspension::Suspension;
 
 /// The number of steps within which the turning point must lie: the motion has stopped beside it.
@@ -55,14 +55,14 @@ fn leads<L: Suspension<N>, const N: usize>(
 ) -> Vec<f64> {
     /// The time over which the equations change, s.
     const BESIDE: f64 = 1e-6;
-    let lock = AtDrives::of(model, inputs).analyse_lock(position);
+    let lock = AtDrives::new(model, inputs).analyse_lock(position);
     let forces = lock.map_or_else(SVector::zeros, |lock| lock.forces);
     let value = inputs.drives.value;
     let each = value.values().zip(inputs.drives.rate.values()).enumerate();
     let leads = each.map(|(drive, (at, rate))| {
         let work = |time: f64| {
             let drives = Signal::still(value.with(drive, at + rate * time));
-            forces.dot(&AtDrives::of(model, &Inputs::still(drives)).residual(position))
+            forces.dot(&AtDrives::new(model, &Inputs::still(drives)).residual(position))
         };
         (work(BESIDE) - work(-BESIDE)).abs()
     });

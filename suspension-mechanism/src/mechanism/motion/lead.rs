@@ -7,12 +7,12 @@ use suspension_core::solve::report::Report;
 use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
-use crate::file::{Dimension, Unit};
+use crate::file::Unit;
 use crate::mechanism::measure::nearest;
 use crate::mechanism::motion::drive_laws::{DriveLaws, MAX_STEPS};
 use crate::mechanism::motion::law::Law;
 use crate::mechanism::parts::names::Names;
-use crate::number::{number, without_rounding};
+use crate::mechanism::parts::words::value_in_words;
 
 /// The measure that leads instead of a drive.
 #[derive(Clone, Debug)]
@@ -123,11 +123,6 @@ impl<const N: usize> Lead<N> {
 
     fn value_in_words(&self, names: &Names, value: f64, unit: Unit) -> String {
         let kind = names.measures[self.measure].kind;
-        let value = (value + self.offset) * Dimension::from(kind).file_factor(unit);
-        format!(
-            "{} {}",
-            number(without_rounding(value)),
-            Dimension::from(kind).symbol(unit)
-        )
+        value_in_words(value + self.offset, kind, unit)
     }
 }

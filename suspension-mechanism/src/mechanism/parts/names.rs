@@ -85,17 +85,12 @@ impl Names {
             chassis,
             free,
             lengths: named(count(Kind::Length), Part::Length),
-            links: Vec::new(),
-            angled_links: Vec::new(),
-            hinges: Vec::new(),
-            guides: Vec::new(),
-            driven_lengths: Vec::new(),
             drives: (0..count(Kind::Drive)).map(drive).collect(),
             measures: (0..count(Kind::Measure)).map(measure).collect(),
             equations: named(count(Kind::Unknown), Part::Equation),
             unknowns: named(count(Kind::Unknown), Part::Unknown),
             wheels: wheels.map(Wheel::from).collect(),
-            vehicle: Vehicle::default(),
+            ..Self::default()
         }
     }
 

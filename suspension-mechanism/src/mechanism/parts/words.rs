@@ -1,9 +1,11 @@
 //! Names and values in messages.
 
+use std::fmt::Display;
+
 use suspension_core::SolveError;
 
 use crate::file::{Dimension, Unit};
-use crate::mechanism::parts::names::Names;
+use crate::mechanism::parts::names::{Drive, Names};
 use crate::mechanism::parts::vehicle::Wheel;
 use crate::number::{number, without_rounding};
 
@@ -21,19 +23,23 @@ pub fn listed(words: impl IntoIterator<Item = String>) -> String {
     }
 }
 
+/// Names in quotes, as `a`, `b` and `c`.
+pub fn quoted<T: Display>(names: impl IntoIterator<Item = T>) -> String {
+    listed(names.into_iter().map(|name| format!("`{name}`")))
+}
+
+/// A length or an angle in the unit of a file, such as `0.7 rad`.
+pub(crate) fn value_in_words(value: f64, dimension: impl Into<Dimension>, unit: Unit) -> String {
+    let dimension = dimension.into();
+    let value = number(without_rounding(value * dimension.file_factor(unit)));
+    format!("{value} {}", dimension.symbol(unit))
+}
+
 impl Names {
     /// A drive's local value in words, such as `theta = 0.7 rad`.
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
-        let drive = &self.drives[drive];
-        let (value, symbol) = (
-            value * Dimension::from(drive.kind).file_factor(unit),
-            Dimension::from(drive.kind).symbol(unit),
-        );
-        format!(
-            "{} = {} {symbol}",
-            drive.name,
-            number(without_rounding(value))
-        )
+        let Drive { name, kind } = &self.drives[drive];
+        format!("{name} = {}", value_in_words(value, *kind, unit))
     }
 
     /// All drives' values in words, with `instead` in place of one of them.

@@ -5,7 +5,7 @@ use suspension_listing::did_you_mean::{did_you_mean, unknown};
 
 use crate::failure::Failure;
 use crate::kinematics::{Changes, Kinematics};
-use crate::mechanism::{Description, listed, moved_together, name_on_other_side};
+use crate::mechanism::{Description, moved_together, name_on_other_side, quoted};
 use crate::prepare::loaded::Loaded;
 use crate::quantities::Axis;
 use crate::sensitivities::Change;
@@ -226,7 +226,7 @@ pub fn describe_one_sided(mechanism: &Description, change: &Change) -> Option<St
             "{}{other}{axis}",
             if sign < 0.0 { "-" } else { "" }
         ));
-        stays.push(format!("`{other}`"));
+        stays.push(other);
     }
     let stay = match stays.len() {
         0 => return None,
@@ -235,7 +235,7 @@ pub fn describe_one_sided(mechanism: &Description, change: &Change) -> Option<St
     };
     Some(format!(
         "`{name}` moves only one side of the vehicle, {} of the other side {stay}; {name},{} keeps both sides alike",
-        listed(stays),
+        quoted(stays),
         added.join(","),
         name = change.name
     ))

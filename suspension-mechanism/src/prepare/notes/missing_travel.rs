@@ -1,6 +1,6 @@
 //! Wheels without a drive of travel, if the file states something that needs one.
 
-use crate::mechanism::{Names, Wheel, listed};
+use crate::mechanism::{Names, Wheel, quoted};
 use crate::prepare::task::Task;
 
 /// A note with what to write. `names` are those in effect; wheels whose drive of travel has the usual name but does
@@ -18,11 +18,8 @@ pub(in crate::prepare) fn note(task: &Task<'_>, names: &Names) -> Option<String>
     let titles: Vec<String> = without.iter().map(|wheel| wheel.title("wheel")).collect();
     let titles = titles.join(" and the ");
     if has_several {
-        let drives = first
-            .lifted_by
-            .iter()
-            .map(|drive| &names.drives[*drive].name);
-        let drives = listed(drives.map(|name| format!("`{name}`")));
+        let drives = first.lifted_by.iter();
+        let drives = quoted(drives.map(|drive| &names.drives[*drive].name));
         let centre = &names.points[first.points.axis[1]];
         return Some(format!(
             "{drives} together move the {titles} up and down, and quantities of {needed_by} that need a drive of travel for each wheel are \

@@ -2,7 +2,7 @@
 
 use suspension_runtime::Listing;
 
-use crate::mechanism::{listed, name_on_other_side};
+use crate::mechanism::{name_on_other_side, quoted};
 use crate::prepare::task::Task;
 
 /// A note on parts with a mass whose counterparts on the other side have none.
@@ -18,7 +18,7 @@ pub(in crate::prepare) fn note(task: &Task<'_>, listing: &Listing) -> Option<Str
         (is_part(&other) && !has_mass(&other)).then(|| [name.get_ref().clone(), other])
     });
     let pairs: Vec<[String; 2]> = pairs.collect();
-    let all = |side: usize| listed(pairs.iter().map(|pair| format!("`{}`", pair[side])));
+    let all = |side: usize| quoted(pairs.iter().map(|pair| &pair[side]));
     let (verb, them) = match pairs.len() {
         0 => return None,
         1 => ("has", "it"),

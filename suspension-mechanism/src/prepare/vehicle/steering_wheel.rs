@@ -7,7 +7,7 @@ use suspension_core::Values;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::mechanism::{Names, SteeringWheel, Suspension, listed};
+use crate::mechanism::{Names, SteeringWheel, Suspension, quoted};
 use crate::prepare::design::Design;
 use crate::prepare::task::Task;
 use crate::prepare::vehicle::usual_drives::{turn_rate, turns};
@@ -105,7 +105,7 @@ impl Gear<'_> {
         let mut drives: Vec<usize> = turned.iter().map(|turned| turned.drive).collect();
         drives.sort_unstable();
         drives.dedup();
-        let name = |drive: usize| format!("`{}`", names.drives[drive].name);
+        let name = |drive: usize| &names.drives[drive].name;
         let key = self.key;
         match *drives {
             [] => Err(format!(
@@ -113,11 +113,11 @@ impl Gear<'_> {
                  [vehicle] with the name of one that does, or leave {key} out"
             )),
             [drive] if names.drives[drive].kind.is_angle() != self.is_of_angle => {
-                Err(self.describe_wrong_kind(&name(drive)))
+                Err(self.describe_wrong_kind(name(drive)))
             }
             [drive] => Ok(drive),
             _ => {
-                let names = listed(drives.into_iter().map(name));
+                let names = quoted(drives.into_iter().map(name));
                 Err(format!(
                     "{key} needs one drive of steering, but {names} steer the wheels; leave {key} out"
                 ))
@@ -128,12 +128,12 @@ impl Gear<'_> {
     fn describe_wrong_kind(&self, drive: &str) -> String {
         if self.is_of_angle {
             format!(
-                "{BOX} is for a drive that is an angle, but the drive that steers, {drive}, is not; leave {BOX} out and write {RACK}, the \
+                "{BOX} is for a drive that is an angle, but the drive that steers, `{drive}`, is not; leave {BOX} out and write {RACK}, the \
                  drive's travel per turn of the steering wheel"
             )
         } else {
             format!(
-                "{RACK} is the travel of a rack, but the drive that steers, {drive}, is an angle; leave {RACK} out and write {BOX}, the \
+                "{RACK} is the travel of a rack, but the drive that steers, `{drive}`, is an angle; leave {RACK} out and write {BOX}, the \
                  steering wheel's angle per angle of the drive, for example 16.0"
             )
         }

@@ -4,35 +4,14 @@ use crate::commands::import::format::heading::section_of_heading;
 use crate::commands::import::format::row::Row;
 use crate::commands::import::hardpoints::Hardpoints;
 use crate::commands::import::names::Names;
-use crate::commands::import::spelling::{key_of, spelled};
+use crate::commands::import::spelling::{is_one_of, key_of, spelled};
 use crate::failure::Failure;
 use crate::vehicle_corner::{Section, sides_of};
 
 /// Words of another angle or sign, wherever they stand in the row; an apostrophe behind a number stands for minutes.
-const OTHER: [&str; 22] = [
-    "min",
-    "minutes",
-    "minuten",
-    "winkelminuten",
-    "minuti",
-    "primi",
-    "minutos",
-    "arcmin",
-    "'",
-    "rad",
-    "mrad",
-    "radians",
-    "total",
-    "gesamtspur",
-    "mm",
-    "cm",
-    "inch",
-    "inches",
-    "per_axle",
-    "pro_achse",
-    "top_in",
-    "top_inboard",
-];
+const OTHER: &str = "\
+    min minutes minuten winkelminuten minuti primi minutos arcmin ' rad mrad radians total gesamtspur mm cm inch inches \
+    per_axle pro_achse top_in top_inboard";
 
 /// The word of a toe angle that is positive for toe-out.
 const TOE_OUT: &str = "out";
@@ -41,39 +20,9 @@ const TOE_OUT: &str = "out";
 const PER_WHEEL: [&str; 2] = ["pro_rad", "je_rad"];
 
 /// The words that parentheses and columns behind the name may have: degrees, the angle of one wheel at the design position, and our signs.
-const UNDERSTOOD: [&str; 31] = [
-    "angle",
-    "winkel",
-    "deg",
-    "degree",
-    "degrees",
-    "grad",
-    "winkelgrad",
-    "gradi",
-    "grado",
-    "grados",
-    "degré",
-    "degrés",
-    "static",
-    "statisch",
-    "design",
-    "nominal",
-    "per",
-    "each",
-    "one",
-    "single",
-    "wheel",
-    "side",
-    "toe",
-    "top",
-    "out",
-    "outboard",
-    "outward",
-    "positive",
-    "positiv",
-    "pos",
-    "ve",
-];
+const UNDERSTOOD: &str = "\
+    angle winkel deg degree degrees grad winkelgrad gradi grado grados degré degrés static statisch design nominal per \
+    each one single wheel side toe top out outboard outward positive positiv pos ve";
 
 /// Checks that toe and camber are those of one wheel, in degrees, with our signs.
 ///
@@ -117,7 +66,7 @@ pub(super) fn check_angle(
 
 /// Returns whether the name of an angle says itself that it is another one, as `total_toe` does.
 pub(in crate::commands::import) fn is_name_of_other_angle(key: &str) -> bool {
-    key.split('_').any(|word| OTHER.contains(&word))
+    key.split('_').any(|word| is_one_of(word, OTHER))
 }
 
 /// Returns a number that is no toe or camber in degrees, such as `1,250` between decimals with a point.
@@ -137,7 +86,7 @@ fn other_angle(line: &str, is_toe: bool) -> Option<String> {
         .into_iter()
         .chain(minutes)
         .chain(pairs.iter().map(String::as_str));
-    let other = all.find(|word| OTHER.contains(word) || is_toe && *word == TOE_OUT);
+    let other = all.find(|word| is_one_of(word, OTHER) || is_toe && *word == TOE_OUT);
     other.map(|word| word.replace('_', " "))
 }
 
@@ -152,7 +101,8 @@ fn is_understood(words: &str, is_toe: bool, names: &Names) -> bool {
     let said = without_wheel(words);
     let section = section_of_heading(&names.heading_in_english(&said));
     // `(in)` alone may be inches.
-    let is_ours = |word: &str| UNDERSTOOD.contains(&word) || is_toe && word == "in" && said != "in";
+    let is_ours =
+        |word: &str| is_one_of(word, UNDERSTOOD) || is_toe && word == "in" && said != "in";
     section != Section::default()
         || sides_of(words).is_some()
         || !said.contains(char::is_alphabetic)

@@ -3,7 +3,7 @@
 use toml::Spanned;
 
 use crate::file::MoveTable;
-use crate::mechanism::{Description, listed, name_on_other_side};
+use crate::mechanism::{Description, name_on_other_side, quoted};
 use crate::prepare::loaded::Loaded;
 
 impl Loaded<'_> {
@@ -26,7 +26,7 @@ impl Loaded<'_> {
                 1 => ["it", "stays"],
                 _ => ["them", "stay"],
             };
-            let all = listed(others.iter().map(|other| format!("`{other}`")));
+            let all = quoted(&others);
             let list = others.iter().map(|other| format!("\"{other}\""));
             let list = list.collect::<Vec<_>>().join(", ");
             Some(format!(
