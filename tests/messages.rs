@@ -5,7 +5,7 @@ use suspension_core::linkages::five_link;
 use suspension_core::listing::Part;
 use suspension_core::step::bounded::Refusal;
 use suspension_core::step::stepper::Stopped;
-use suspension_core::{Build, GeometryError, Inputs, Signal, SolveError, Tracker};
+use suspension_core::{Bounded, Build, GeometryError, Inputs, Signal, SolveError, Tracker};
 
 use super::support;
 
@@ -47,6 +47,20 @@ fn lengths_that_do_not_fit_together_are_reported() {
     let message = failed.map(|_| ()).expect_err("no assembly").to_string();
     assert!(
         message.ends_with("; in assembling, see that lengths and drives fit together"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_first_bounded_step_from_points_that_are_no_configuration_says_to_assemble() {
+    let corner: Corner = Corner::design().expect("a design");
+    let inputs = Inputs::still(corner.drive_signal());
+    let mut motion = *corner.motion();
+    motion.position[double_wishbone::unknown::TIE_BALL_Y] += 1e-3;
+    let refused = Bounded::<f64>::default().step(corner.model(), &inputs, 0.0, &mut motion);
+    let message = refused.expect_err("no configuration").to_string();
+    assert!(
+        message.contains("or assemble a start that is no configuration"),
         "{message}"
     );
 }

@@ -90,7 +90,7 @@ enum {
     SUSP_ERROR_STEP_TOO_LONG = 47,
     /** the quantity that leads turns before it meets its target; lead by another one, or not so far */
     SUSP_ERROR_TURNING_POINT = 48,
-    /** the residual is above the tolerance after all corrections that are allowed; take shorter steps, give rates that match the drives, or allow more corrections; in assembling, see that lengths and drives fit together */
+    /** the residual is above the tolerance after all corrections that are allowed; take shorter steps, give rates that match the drives, allow more corrections, or assemble a start that is no configuration; in assembling, see that lengths and drives fit together */
     SUSP_ERROR_NOT_CONVERGED = 49,
     /** all steps that are allowed are used up; allow more of them */
     SUSP_ERROR_STEPS_USED_UP = 50,

@@ -174,7 +174,9 @@ susp_status susp_five_link_f32_model_drives(
         const susp_five_link_f32_points *points,
         susp_five_link_f32_drives *drives);
 
-/** Makes a motion at rest with the free points at `points`. `size` is `sizeof *motion`. */
+/** Makes a motion at rest with the free points at `points`. `size` is `sizeof *motion`. Where the points
+ * do not satisfy the listing, for example where one is a tenth of a millimetre off the line of its
+ * `slide`, bounded steps are refused with SUSP_ERROR_NOT_CONVERGED: use `assemble` there. */
 susp_status susp_five_link_f32_motion_at_rest(
         const susp_five_link_f32_model *model,
         susp_five_link_f32_motion *motion,

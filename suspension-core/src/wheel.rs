@@ -4,6 +4,31 @@
 //! from positions, velocities and accelerations, with respect to a drive from the results of
 //! [`Corner::per`](crate::Corner::per).
 //!
+//! The camber gain of a corner, and the rate of camber while it moves:
+//!
+//! ```
+//! use suspension_core::linkage::HasWheel;
+//! use suspension_core::linkages::double_wishbone::{Corner, Drives, Points};
+//! use suspension_core::wheel::camber;
+//! use suspension_core::Signal;
+//!
+//! let camber_of = |points: Signal<Points>| {
+//!     let axis = points.map(|points| {
+//!         let [inner, centre] = points.wheel();
+//!         centre - inner
+//!     });
+//!     camber(&axis.components())
+//! };
+//! let mut corner: Corner = Corner::design()?;
+//! let (start, rate) = (corner.drives(), Drives { bump: 0.05, steer: 0.0 });
+//! corner.advance(0.5, |time| Signal::line(start, rate, time))?;
+//! let gain = camber_of(corner.per(Drives { bump: 1.0, steer: 0.0 })?.points).rate; // rad/m
+//! let per_second = camber_of(corner.points()).rate; // rad/s
+//! assert!((per_second - gain * rate.bump).abs() < 1e-15);
+//! assert_eq!(format!("{:.2} deg/m", gain.to_degrees()), "-17.55 deg/m");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Axes are those of ISO 8855: x forward, y to the left, z up. Angles are in radians, computed by
 //! `atan2`. Their signs mean the same on both sides of a vehicle. The side is taken from
 //! the wheel's spin axis, which points outboard, from the first point of `wheel:` to the centre.

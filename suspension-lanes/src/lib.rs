@@ -26,6 +26,9 @@ use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveEr
 /// [`model`](Self::model): `error.named(lanes.model(lane))`. The other lanes are not affected. A lane that has failed
 /// must catch up before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion).
 ///
+/// Motions start from a configuration. Where the points of a corner do not satisfy the listing, for example where one is a
+/// tenth of a millimetre off the line of its `slide`, take the motion of [`Corner::assembled`](suspension_core::Corner::assembled).
+///
 /// `N` is the number of unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it.
 /// See [`Bounded`] for `CORRECTIONS` and `ORDER`. One correction, the default, suits drives that are smooth functions
 /// of time; in `f64` a wheel that a vehicle's equations of motion move on a road takes three:

@@ -54,7 +54,9 @@ macro_rules! functions_of_making {
             })
         }
 
-        /// Makes a motion at rest with the free points at `points`. `size` is `sizeof *motion`.
+        /// Makes a motion at rest with the free points at `points`. `size` is `sizeof *motion`. Where the points
+        /// do not satisfy the listing, for example where one is a tenth of a millimetre off the line of its
+        /// `slide`, bounded steps are refused with SUSP_ERROR_NOT_CONVERGED: use `assemble` there.
         fn motion_at_rest(model: In<Model>, motion: Out<Motion>, size: usize, points: In<Points>) -> Status {
             answer(|| {
                 let (model, motion) = (model.object()?, motion.place(size)?);

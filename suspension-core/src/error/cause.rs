@@ -45,7 +45,7 @@ macro_rules! causes {
             TurningPoint = 48: "the quantity that leads turns before it meets its target",
                 "lead by another one, or not so far";
             NotConverged = 49: "the residual is above the tolerance after all corrections that are allowed",
-                "take shorter steps, give rates that match the drives, or allow more corrections; in assembling, see that lengths and drives fit together";
+                "take shorter steps, give rates that match the drives, allow more corrections, or assemble a start that is no configuration; in assembling, see that lengths and drives fit together";
             StepsUsedUp = 50: "all steps that are allowed are used up",
                 "allow more of them";
             UnhealthyPivots = 51: "the pivots of the fixed order of elimination are too small here",

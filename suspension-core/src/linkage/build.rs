@@ -48,6 +48,25 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// The same linkage with other lengths. Each body keeps its handedness, and so does each cluster of links that is
     /// as rigid as a body.
     ///
+    /// A tie rod that becomes half a millimetre longer while the corner moves:
+    ///
+    /// ```
+    /// use suspension_core::linkages::double_wishbone::{Corner, Lengths};
+    /// use suspension_core::{Build, Signal};
+    ///
+    /// let mut corner: Corner = Corner::design()?;
+    /// corner.step(1e-3, Signal::still(corner.drives()))?;
+    /// let lengths = corner.model().lengths();
+    /// let longer = Lengths { tie_rod: lengths.tie_rod + 0.0005, ..lengths };
+    /// let model = corner.model().with_lengths(&longer)?;
+    /// let found: Corner = Corner::assembled(model, &corner.points().value)?; // at the present drives, at rest and time 0
+    /// corner = Corner::resumed(model, *found.motion(), corner.drive_signal(), corner.time());
+    /// corner.step(1e-3, Signal::still(corner.drives()))?;
+    /// let toe = corner.wheel().map_or(0.0, |wheel| wheel.toe.to_degrees());
+    /// assert_eq!(format!("{toe:.3} deg after {:.3} s", corner.time()), "-0.241 deg after 0.002 s");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// If a length is not positive and finite, or no rigid body has the lengths.

@@ -66,9 +66,13 @@ pub enum Outputs {
 /// instructions. A step is then accepted only if its error is within the tolerance, so that what is left out is
 /// rounding: this holds for `f32` at 1 ms. With a tolerance other than the default, what is left out of the rates grows with it.
 ///
-/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one correction is enough
-/// for smooth drives if the acceleration is solved for; otherwise it takes two, or half the step. The page
-/// [`controller`](crate::controller#ways-to-step) says how smooth: in `f64` a wheel on a road takes two or three.
+/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. It starts from a configuration:
+/// where points do not satisfy the listing, for example where one is a tenth of a millimetre off the line of its
+/// `slide`, [`Corner::assembled`](crate::Corner::assembled) or [`assemble()`](crate::assemble()) finds it.
+///
+/// At 1 ms one correction is enough for smooth drives if the acceleration is solved for; otherwise it takes two, or
+/// half the step. The page [`controller`](crate::controller#ways-to-step) says how smooth: in `f64` a wheel on a road
+/// takes two or three.
 ///
 /// The instructions that a step executes do not depend on its data, as long as the pivots of the fixed order are
 /// healthy, the error of the prediction is within [`correction_of_size`](Self::correction_of_size) and the step is
