@@ -163,15 +163,15 @@ bar at the design position, which is the only place without --drive. Another nam
 could bear, unless springs act by their rates or the case states a force in the measure of a spring.
 
 Links: tension is positive. Joints: the force that a body or another statement exerts at each of its points, on the chassis
-or on the parts that it joins there, in the file's axes. The table of joints also lists a link that has a mass (its tension is
-then the one at its middle), or whose angle is driven or held. `damper at damper_upper` is the force at one end of the measure
-damper: springs and stated forces in the measure together. The forces of each body balance, except for the loads, weight
-and moments that act on it. A moment about an angle acts on the part that carries the angle's lines, which passes it on:
-`bar on arm` is the moment of a torsion bar, in N m, with all that acts in the measure bar; `cross on shaft` is the moment
-of a universal joint, or of another statement that drives or holds an angle. With rigid parts, only the sum of the axial
-forces of the two bushes of a hinge, or of a body with two chassis points, is determined: each bush is given half of it. The
-same holds for two points that two bodies share, such as the ends of a kingpin, along their line; if three bodies share
-both, the shares are arbitrary.
+or on the parts that it joins there, in the file's axes. The table of joints also lists a link that has a mass (its tension
+is then the one at its middle, without what its turning adds there in a motion), or whose angle is driven or held.
+`damper at damper_upper` is the force at one end of the measure damper: springs and stated forces in the measure together.
+The forces of each body balance, except for the loads, weight and moments that act on it. A moment about an angle acts on the
+part that carries the angle's lines, which passes it on: `bar on arm` is the moment of a torsion bar, in N m, with all that
+acts in the measure bar; `cross on shaft` is the moment of a universal joint, or of another statement that drives or holds an
+angle. With rigid parts, only the sum of the axial forces of the two bushes of a hinge, or of a body with two chassis points,
+is determined: each bush is given half of it. The same holds for two points that two bodies share, such as the ends of a
+kingpin, along their line; if three bodies share both, the shares are arbitrary.
 
 Chassis points: the total force that links, joints, measures and driven lengths exert on a chassis point, as its bracket
 bears it, without the weight of a mass at the point itself. Chassis points that a drive moves, such as the end of a rack,

@@ -195,9 +195,7 @@ pub fn points(
             }
             Position::At(at) if !is_marker(name) && !unjoined.contains(&name.as_str()) => {
                 if let Some((other, _)) = placed.iter().find(|(_, place)| place == at) {
-                    return refuse(format!(
-                        "point `{name}` is in the same place as point `{other}`"
-                    ));
+                    return refuse(in_one_place(name, other));
                 }
                 placed.push((name, *at));
             }
@@ -205,6 +203,14 @@ pub fn points(
         }
     }
     Ok(())
+}
+
+/// The message on two joints in one place.
+pub fn in_one_place(name: &str, other: &str) -> String {
+    format!(
+        "point `{name}` is in the same place as point `{other}`; correct one of them, or, if they are one joint, state one point \
+         and name it in the statements of both"
+    )
 }
 
 fn base_of_marker(

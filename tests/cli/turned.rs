@@ -258,6 +258,7 @@ fn a_direction_may_end_at_the_position_of_its_point() {
     let refused = run(folder.path(), &["motion", "a.toml"]);
     assert_eq!(
         text(&refused.stderr),
-        "a.toml:3:7: point `tip` is in the same place as point `high`\n"
+        "a.toml:3:7: point `tip` is in the same place as point `high`; correct one of them, or, if they are one joint, state one \
+         point and name it in the statements of both\n"
     );
 }

@@ -106,6 +106,9 @@ damper_inner: shock_to_chassis damper_to_body_point damper_inboard chas_attpnt d
 damper_outer: shock_to_bellcrank damper_to_rocker_point rock_coipnt dämpfer_umlenkhebel
 damper_lower: damper_to_lca shock_lower
 damper_upper: shock_top damper_top_mount
+spring_upper: spring_top coil_spring_top spring_top_mount upper_spring_mount spring_seat_upper feder_oben
+spring_lower: spring_bottom spring_bottom_mount lower_spring_mount feder_unten
+integral_upper: integral_link_top
 bar_outer: arb_pivot_outer arb_bushing_mount arb_pivot
 drop_upper: arb_drop_link_upper sway_bar_end_link_upper arblink_to_bellcrank droplink_upper
 drop_lower: anti_roll_bar_link_bottom arb_drop_link_bar droplink_to_arb arblink_to_arb

@@ -173,9 +173,8 @@ fn check_places(text: &Source, listing: &Listing, file: &MotionFile) -> Result<(
     let own: Vec<(&str, Vector3<f64>)> = own.collect();
     for (index, (name, at)) in own.iter().enumerate() {
         if let Some((other, _)) = own[..index].iter().find(|(_, place)| place == at) {
-            let message = format!("point `{name}` is in the same place as point `{other}`");
             let place = statement_of(text.text(), name).unwrap_or_default();
-            return Err(text.refuse(&place, message));
+            return Err(text.refuse(&place, check::in_one_place(name, other)));
         }
     }
     Ok(())

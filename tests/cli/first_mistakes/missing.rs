@@ -207,7 +207,8 @@ fn a_mistake_in_a_listing_file_is_reported_at_its_place() {
         (
             "lower_rear  at [-0.20,",
             "lower_rear  at [0.20,",
-            "a.linkage:8:8: point `lower_rear` is in the same place as point `lower_front`",
+            "a.linkage:8:8: point `lower_rear` is in the same place as point `lower_front`; correct one of them, or, if they are one \
+             joint, state one point and name it in the statements of both",
         ),
         (
             "lower_rear  at [-0.20,",

@@ -32,11 +32,12 @@ fn of_one(lead: &KnownColumn, line: usize, reached: &[bool]) -> String {
     let others = lead.numbers.iter().zip(reached);
     let others = ends(others.filter(|(_, reached)| **reached).map(|(at, _)| *at));
     let others = others.map(|ends| ends.map(number)).map_or_else(
-        || "none of the places".to_owned(),
+        || "none".to_owned(),
         |[least, greatest]| format!("those from {least} to {greatest} {symbol}"),
     );
     format!(
-        "{} {symbol} from the design position is out of the model's reach, which has {others}; leave out the lines beyond",
+        "{} {symbol} from the design position is out of the model's reach; of the measured places {others} are in reach; leave out \
+         the lines beyond",
         number(lead.numbers[line])
     )
 }

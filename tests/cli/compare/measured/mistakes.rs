@@ -51,8 +51,8 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "toe [deg];bump [mm]\n0;-20,0\n0;20\n0; 900\n",
             &[],
-            "m.csv:4:4: 900 mm from the design position is out of the model's reach, which has those from -20 to 20 mm; leave out \
-             the lines beyond. suspension range a.toml says what stops the model",
+            "m.csv:4:4: 900 mm from the design position is out of the model's reach; of the measured places those from -20 to 20 mm \
+             are in reach; leave out the lines beyond. suspension range a.toml says what stops the model",
         ),
         (
             "toe [deg];bump [mm];steer [mm]\n0;-20;15\n0; 900;15\n",
@@ -63,7 +63,8 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "toe [deg],wheel travel [mm]\n0,-900\n",
             &[],
-            "m.csv:2:3: -900 mm from the design position is out of the model's reach, which has none of the places; leave out",
+            "m.csv:2:3: -900 mm from the design position is out of the model's reach; of the measured places none are in reach; leave \
+             out",
         ),
         (
             "bump [mm],toe [deg]\n0,0,0,1\n",
