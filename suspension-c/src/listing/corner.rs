@@ -198,7 +198,8 @@ crate::functions! { "susp":
     /// force at a marker acts at three points of its body and is not in the reactions of the body there:
     /// the force in a joint of a loaded body is what the other parts exert on the point. The
     /// moment that drives or holds an angle acts on the parts that carry the lines of the angle, so that an
-    /// angle between lines of parts exerts no force itself. Each of these three may be NULL.
+    /// angle between lines of parts exerts no force itself. A `couple` exerts forces on its points alone,
+    /// whose sum is not zero: no chassis point bears the difference. Each of these three may be NULL.
     /// SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_loads(corner: In<Corner>, forces: In<Number>, force_count: usize, drives: Out<Number>, drive_count: usize, tensions: Out<Number>, tension_count: usize, reactions: Out<Number>, reaction_count: usize, failure: Out<Failure>) -> Status {
         on(corner.object().map(Placed::parts), failure, |moving, parsed| {
