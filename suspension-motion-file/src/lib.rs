@@ -33,7 +33,7 @@ pub use tables::number_list::NumberList;
 pub use tables::per_wheel::PerWheel;
 pub use tables::position::{Offset, Position};
 pub use tables::spring::SpringTable;
-pub use tables::stated_law::{Sine, StatedLaw};
+pub use tables::stated_law::{Recording, Sine, StatedLaw};
 pub use tables::target_values::{CsvTable, TargetValues};
 pub use tables::torque::Torque;
 pub use tables::tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable};

@@ -175,12 +175,41 @@ fn mistakes_in_recordings_have_their_place() {
     );
     refused(
         "{ csv = \"logged.csv\", columns = [\"t\", \"bump\"], mean = 0.3 }",
-        "a.toml:9:8: a drive is a sine or a recording, not both",
+        "a.toml:9:8: a drive is a sine, with mean, amplitude, frequency and phase, or a recording, with csv, ",
     );
     refused(
         "{ csv = \"logged.csv\", columns = [\"t\"] }",
         "a.toml:9:40: `columns` are two headings",
     );
+}
+
+/// A log in millimetres of compression from the design position.
+#[test]
+fn a_recording_has_a_factor_and_an_offset() {
+    let folder = folder();
+    let write = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    };
+    write("logged.csv", "t,up\n0,0.30\n0.5,0.33\n1,0.29\n");
+    write("mm.csv", "t,down\n0,0\n0.5,-30\n1,10\n");
+    let law = "{ csv = \"logged.csv\", columns = [\"t\", \"up\"] }";
+    write("own.toml", &corner(law));
+    let law = "{ csv = \"mm.csv\", columns = [\"t\", \"down\"], factor = -0.001, offset = 0.30 }";
+    write("mm.toml", &corner(law));
+    let [own, mm] = ["own.toml", "mm.toml"].map(|file| table_in(folder.path(), &["motion", file]));
+    let compared = ["bump_m", "lower_ball_vz", "lower_ball_az"];
+    for (own, mm) in own.iter().zip(&mm) {
+        assert!(
+            compared
+                .iter()
+                .all(|name| (own[*name] - mm[*name]).abs() < 1e-11)
+        );
+    }
+    write("mm.toml", &corner(&law.replace(", offset = 0.30", "")));
+    let refused = run(folder.path(), &["motion", "mm.toml"]);
+    let note = "`bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at the design \
+                position; write offset = 0.3\n";
+    assert!(text(&refused.stderr).ends_with(note), "{refused:?}");
 }
 
 /// A recording is an input, onto which no result is written.

@@ -133,8 +133,9 @@ The file:
                                      # holds the drive there
   bump = { mean = 0.30, amplitude = 0.05, frequency = 1.5 }      # or a sine: mean + amplitude sin(2 pi frequency t + phase),
                                      # frequency in Hz, phase in the unit of angles, 0 if left out
-  steer = { csv = "logged.csv", columns = ["t_s", "rack"] }      # or a recording: times in s and values in the units of the
-                                     # file, led through by a cubic spline; noise in it becomes accelerations
+  steer = { csv = "logged.csv", columns = ["t_s", "rack"], factor = 0.001, offset = 0.34 }       # or a recording: times in s, and
+                                     # values of which factor (1 if left out) and offset (0) make those of the drive. A cubic
+                                     # spline leads through them: noise becomes accelerations
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre

@@ -115,8 +115,11 @@ fn drives(
             return None;
         }
         let (place, first, others) = match law.get_ref() {
-            // Values in another file stay as they were recorded.
-            StatedLaw::Recorded(_) => return None,
+            StatedLaw::Recorded(recording) => {
+                // Without an offset the drive's own values are recorded, which stay.
+                let offset = recording.offset.as_ref()?;
+                (offset.span(), offset.get_ref(), &[][..])
+            }
             StatedLaw::Sine(sine) => (sine.mean.span(), sine.mean.get_ref(), &[][..]),
             StatedLaw::Polynomial(coefficients) => {
                 let (first, others) = coefficients.split_first()?;

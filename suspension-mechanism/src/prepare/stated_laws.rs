@@ -13,6 +13,10 @@ use crate::prepare::task::Task;
 /// A part of the time between two instants: what a sum of steps may be off.
 const ROUNDING: f64 = 1e-9;
 
+/// The columns of a recording.
+const OF_RECORDING: &str =
+    "of the time in seconds and of the drive, for example [\"t_s\", \"bump\"]";
+
 impl Task<'_> {
     /// The drives over time, which differ by `offsets` from those of the file; drives that the file does not lead keep
     /// their values in `held`.
@@ -55,20 +59,20 @@ impl Task<'_> {
                 frequency: *sine.frequency.get_ref(),
                 phase: self.in_radians(*sine.phase.get_ref(), Dimension::Angle),
             })),
-            StatedLaw::Recorded(file) => {
-                let mut points = self.recorded(file)?;
+            StatedLaw::Recorded(recording) => {
+                let factor = *recording.factor.get_ref();
+                let zero = recording
+                    .offset
+                    .as_ref()
+                    .map_or(0.0, |zero| *zero.get_ref());
+                let mut points =
+                    measured_points::read(self.source, &recording.table, OF_RECORDING)?;
                 for [_, recorded] in &mut points {
-                    *recorded = value(*recorded) - offset;
+                    *recorded = value(zero + factor * *recorded) - offset;
                 }
-                self.through(file, points).map(Law::Recorded)
+                self.through(&recording.table, points).map(Law::Recorded)
             }
         }
-    }
-
-    /// Times and values of a file.
-    fn recorded(&self, file: &CsvTable) -> Result<Vec<[f64; 2]>, Failure> {
-        let of = "of the time in seconds and of the drive, for example [\"t_s\", \"bump\"]";
-        measured_points::read(self.source, file, of)
     }
 
     /// The curve through recorded points, which must cover the motion.

@@ -2,10 +2,15 @@
 
 use std::ops::Range;
 
+use toml::Spanned;
+
 use crate::failure::Failure;
 use crate::source::Source;
 use crate::tables::entries::Table;
 use crate::tables::stated_law::{Sine, StatedLaw};
+
+/// A place and what is wrong there.
+type Fault = (Range<usize>, &'static str);
 
 /// Checks the drives over time: at least one coefficient each, a positive frequency, all numbers finite.
 ///
@@ -19,7 +24,9 @@ pub fn drives(source: &Source, table: &Table<StatedLaw>) -> Result<(), Failure> 
                 polynomial_fault(coefficients).map(|fault| (law.span(), fault))
             }
             StatedLaw::Sine(sine) => sine_fault(sine),
-            StatedLaw::Recorded(_) => None,
+            StatedLaw::Recorded(recording) => {
+                not_finite([&recording.factor].into_iter().chain(&recording.offset))
+            }
         };
         if let Some((place, fault)) = fault {
             let name = name.get_ref();
@@ -39,16 +46,17 @@ fn polynomial_fault(coefficients: &[f64]) -> Option<&'static str> {
     }
 }
 
-fn sine_fault(sine: &Sine) -> Option<(Range<usize>, &'static str)> {
+fn sine_fault(sine: &Sine) -> Option<Fault> {
     let numbers = [&sine.mean, &sine.amplitude, &sine.frequency, &sine.phase];
-    if let Some(number) = numbers.iter().find(|number| !number.get_ref().is_finite()) {
-        return Some((number.span(), "has a number that is not finite"));
-    }
-    let standing = *sine.frequency.get_ref() <= 0.0;
-    standing.then(|| {
-        (
-            sine.frequency.span(),
-            "needs a positive frequency, in periods per second",
-        )
+    not_finite(numbers).or_else(|| {
+        let standing = *sine.frequency.get_ref() <= 0.0;
+        let fault = "needs a positive frequency, in periods per second";
+        standing.then(|| (sine.frequency.span(), fault))
     })
+}
+
+fn not_finite<'a>(numbers: impl IntoIterator<Item = &'a Spanned<f64>>) -> Option<Fault> {
+    let mut numbers = numbers.into_iter();
+    let number = numbers.find(|number| !number.get_ref().is_finite())?;
+    Some((number.span(), "has a number that is not finite"))
 }

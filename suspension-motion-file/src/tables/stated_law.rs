@@ -19,14 +19,14 @@ pub enum StatedLaw {
     /// A harmonic motion.
     Sine(Sine),
     /// Recorded values over time, with a smooth curve through them.
-    Recorded(CsvTable),
+    Recorded(Recording),
 }
 
 impl StatedLaw {
     /// The file of a recording.
     pub(crate) fn recording(&self) -> Option<&CsvTable> {
         match self {
-            Self::Recorded(file) => Some(file),
+            Self::Recorded(recording) => Some(&recording.table),
             Self::Polynomial(_) | Self::Sine(_) => None,
         }
     }
@@ -45,6 +45,17 @@ pub struct Sine {
     pub phase: Spanned<f64>,
 }
 
+/// `offset + factor x`, in the units of the drive, where `x` are values in a file.
+#[derive(Clone, Debug)]
+pub struct Recording {
+    /// The file with its columns of the time in seconds and of `x`.
+    pub table: CsvTable,
+    /// From the recorded unit and direction to those of the drive.
+    pub factor: Spanned<f64>,
+    /// The value of the drive where 0 is recorded; 0 if left out.
+    pub offset: Option<Spanned<f64>>,
+}
+
 /// The keys of a sine and of a recording.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -55,28 +66,42 @@ struct Keys {
     phase: Option<Spanned<f64>>,
     csv: Option<Spanned<String>>,
     columns: Option<Spanned<Vec<Spanned<String>>>>,
+    factor: Option<Spanned<f64>>,
+    offset: Option<Spanned<f64>>,
 }
 
 impl Keys {
     fn law<E: de::Error>(self) -> Result<StatedLaw, E> {
         let needed = E::missing_field;
-        if self.csv.is_none() && self.columns.is_none() {
+        let or = |stated: Option<Spanned<f64>>, number| {
+            stated.unwrap_or_else(|| Spanned::new(0..0, number))
+        };
+        let is_recording = self.csv.is_some()
+            || self.columns.is_some()
+            || self.factor.is_some()
+            || self.offset.is_some();
+        if !is_recording {
             return Ok(StatedLaw::Sine(Sine {
                 mean: self.mean.ok_or_else(|| needed("mean"))?,
                 amplitude: self.amplitude.ok_or_else(|| needed("amplitude"))?,
                 frequency: self.frequency.ok_or_else(|| needed("frequency"))?,
-                phase: self.phase.unwrap_or_else(|| Spanned::new(0..0, 0.0)),
+                phase: or(self.phase, 0.0),
             }));
         }
         let of_sine = [self.mean, self.amplitude, self.frequency, self.phase];
         if of_sine.iter().any(Option::is_some) {
             return Err(E::custom(
-                "a drive is a sine or a recording, not both: leave out csv and columns, or mean, amplitude, frequency and phase",
+                "a drive is a sine, with mean, amplitude, frequency and phase, or a recording, with csv, columns, factor and offset, \
+                 not both",
             ));
         }
-        Ok(StatedLaw::Recorded(CsvTable {
-            csv: self.csv.ok_or_else(|| needed("csv"))?,
-            columns: self.columns.ok_or_else(|| needed("columns"))?,
+        Ok(StatedLaw::Recorded(Recording {
+            table: CsvTable {
+                csv: self.csv.ok_or_else(|| needed("csv"))?,
+                columns: self.columns.ok_or_else(|| needed("columns"))?,
+            },
+            factor: or(self.factor, 1.0),
+            offset: self.offset,
         }))
     }
 }

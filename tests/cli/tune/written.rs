@@ -28,11 +28,16 @@ value = {bump_steer:?}
 within = 1e-5
 "
     );
+    std::fs::write(folder.path().join("rack.csv"), "t,y\n0,0\n1,0.01\n").expect("written");
     for (before, after) in [
         ("[0.34, 0.001, 0.2]", "[0.348, 0.001, 0.2]"),
         (
             "{ mean = 0.34, amplitude = 0.01, frequency = 2 }",
             "{ mean = 0.348, amplitude = 0.01, frequency = 2 }",
+        ),
+        (
+            "{ csv = \"rack.csv\", columns = [\"t\", \"y\"], offset = 0.34 }",
+            "{ csv = \"rack.csv\", columns = [\"t\", \"y\"], offset = 0.348 }",
         ),
     ] {
         let drives = format!("bump = [0.3, 0.01]\nsteer = {before} # m");

@@ -1,8 +1,9 @@
 //! Statements of a file about drives that the mechanism at its design contradicts.
 
 use suspension_core::Values;
+use toml::Spanned;
 
-use crate::file::Dimension;
+use crate::file::{Dimension, StatedLaw};
 use crate::mechanism::{
     CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, ends, evenly_spaced, extent,
 };
@@ -33,7 +34,12 @@ pub(in crate::prepare) fn doubts<L: Suspension<N>, const N: usize>(
         let ends = ends(values.iter().map(|values| values[index]))?;
         let (name, design) = (&drive.name, designed[index]);
         let in_file = design * Dimension::from(drive.kind).file_factor(unit);
-        let way = format!("; write {name} = [{}, ...]", rounded(in_file, 6));
+        let in_file = rounded(in_file, 6);
+        let way = match stated.get(name.as_str()).map(Spanned::get_ref) {
+            Some(StatedLaw::Sine(_)) => format!("; write mean = {in_file}"),
+            Some(StatedLaw::Recorded(_)) => format!("; write offset = {in_file}"),
+            _ => format!("; write {name} = [{in_file}, ...]"),
+        };
         let at_design = DriveAtDesign {
             drive,
             design,
