@@ -8,4 +8,4 @@ mod meeting;
 pub use drive_range::{DriveRange, POOR, Station};
 pub use free_drive::range;
 pub use limit::{Limit, RangeEnd};
-pub use meeting::{CARRIED_ON, holds, meeting, moves_alone};
+pub use meeting::{CARRIED_ON, holds, is_continued, meeting, moves_alone};

@@ -131,6 +131,19 @@ fn a_recording_is_followed_smoothly() {
     }
 }
 
+/// Beyond its ends a recording says nothing: the motion that `range` looks for ends there.
+#[test]
+fn a_recording_is_not_continued() {
+    let folder = folder();
+    let law = "{ csv = \"logged.csv\", columns = [\"t\", \"travel\"] }";
+    std::fs::write(folder.path().join("logged.csv"), recording(100)).expect("written");
+    std::fs::write(folder.path().join("a.toml"), corner(law)).expect("written");
+    let output = run(folder.path(), &["range", "a.toml", "--drive", "bump"]);
+    let report = text(&output.stdout);
+    let expected = "  motion      the file's motion brings this drive to neither end; it is not continued beyond a recording\n";
+    assert!(report.contains(expected), "{report}");
+}
+
 #[test]
 fn mistakes_in_recordings_have_their_place() {
     let folder = folder();

@@ -6,7 +6,9 @@ use suspension_core::listing::DriveKind;
 
 use crate::mechanism::{Description, Unit, describe_change_from_design};
 use crate::number::{counted, rounded};
-use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, holds, meeting, moves_alone};
+use crate::reach::{
+    CARRIED_ON, DriveRange, POOR, RangeEnd, holds, is_continued, meeting, moves_alone,
+};
 
 /// Digits of an end of a range in radians and of the instant of a lock: all that are correct.
 const DIGITS: usize = 13;
@@ -94,10 +96,11 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
             "the file's motion moves other drives as well, so that this range does not tell where it ends; `suspension motion` does"
                 .to_owned()
         }
-        None => format!(
+        None if is_continued(mechanism) => format!(
             "the file's motion, continued to {CARRIED_ON} times its duration, brings this drive to \
              neither end"
         ),
+        None => "the file's motion brings this drive to neither end; it is not continued beyond a recording".to_owned(),
     }
 }
 

@@ -2,8 +2,13 @@
 
 use crate::mechanism::Description;
 
-/// The multiple of its duration to which the motion is continued beyond its last instant.
+/// The multiple of its duration to which the motion is continued beyond its last instant, unless a drive is recorded.
 pub const CARRIED_ON: f64 = 10.0;
+
+/// Whether the motion is continued beyond its last instant.
+pub fn is_continued(mechanism: &Description) -> bool {
+    !mechanism.drives.are_recorded()
+}
 
 /// Returns whether the motion, continued that long, leaves the drive with this index where it is.
 pub fn holds(mechanism: &Description, index: usize) -> bool {
@@ -26,7 +31,12 @@ pub fn moves_alone(mechanism: &Description, index: usize) -> bool {
 fn looks(mechanism: &Description) -> impl Iterator<Item = f64> {
     const LOOKS: usize = 20_000;
     let [first, last] = mechanism.instants.ends();
-    let span = (last - first) * CARRIED_ON;
+    let times = if is_continued(mechanism) {
+        CARRIED_ON
+    } else {
+        1.0
+    };
+    let span = (last - first) * times;
     (1..=LOOKS).map(move |look| first + span * look as f64 / LOOKS as f64)
 }
 

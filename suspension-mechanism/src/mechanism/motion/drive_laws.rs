@@ -26,6 +26,12 @@ impl DriveLaws {
         Self::new(values.map(|value| Law::Polynomial(vec![value])))
     }
 
+    /// Whether a drive is recorded, so that nothing is known of it beyond the last instant.
+    pub(crate) fn are_recorded(&self) -> bool {
+        let mut laws = self.laws.iter();
+        laws.any(|law| matches!(law, Law::Recorded(_)))
+    }
+
     /// Each drive at time `t`.
     pub fn at(&self, t: f64) -> impl Iterator<Item = Signal<f64>> {
         self.laws.iter().map(move |law| law.at(t))
