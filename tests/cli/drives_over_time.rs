@@ -166,6 +166,14 @@ fn mistakes_in_recordings_have_their_place() {
         "{ csv = \"logged.csv\", columns = [\"t\", \"bump\"] }",
         "a.toml:9:16: logged.csv covers 0 to 0.9 s, but the motion takes 0 to 1 s; change [time]",
     );
+    let forwards = "start = 0.0\nstop = 1.0\nstep = 0.05";
+    let backwards = "start = 1.0\nstop = 0.0\nstep = -0.05";
+    let law = "{ csv = \"logged.csv\", columns = [\"t\", \"bump\"] }";
+    write("b.toml", &corner(law).replace(forwards, backwards));
+    let output = run(folder.path(), &["motion", "b.toml"]);
+    let expected =
+        "b.toml:9:16: logged.csv covers 0 to 0.9 s, but the motion takes 1 to 0 s; change [time]";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
     refused(
         "{ csv = \"back.csv\", columns = [\"t\", \"bump\"] }",
         "a.toml:9:16: the times of back.csv must increase; 0.5 s follows 0.5 s",

@@ -92,8 +92,9 @@ impl Task<'_> {
         let Some(spline) = Spline::through(points) else {
             return refuse(format!("{name} needs at least two lines of numbers"));
         };
-        let ([start, end], slack) = (spline.ends(), ROUNDING * (self.last - self.first));
-        if self.first < start - slack || self.last > end + slack {
+        let ([start, end], slack) = (spline.ends(), ROUNDING * (self.last - self.first).abs());
+        let covered = start - slack..=end + slack;
+        if [self.first, self.last].iter().any(|t| !covered.contains(t)) {
             let [start, end, first, last] = [start, end, self.first, self.last].map(number);
             return refuse(format!(
                 "{name} covers {start} to {end} s, but the motion takes {first} to {last} s; change [time]"
