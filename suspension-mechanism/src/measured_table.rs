@@ -1,6 +1,7 @@
 //! Tables of measured numbers in text: perhaps titles, a line of headings, perhaps one of units, then lines of numbers.
 
 mod lines;
+pub mod units;
 
 use std::iter;
 

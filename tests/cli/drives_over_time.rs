@@ -144,6 +144,52 @@ fn a_recording_is_not_continued() {
     assert!(report.contains(expected), "{report}");
 }
 
+/// Logged files state units in headings or in a line below them; a unit that is not that of the file is refused.
+#[test]
+fn units_of_recordings_are_those_of_the_file() {
+    let folder = folder();
+    let write =
+        |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("written");
+    let motion = |headings: [&str; 2], below: &str, more: &str| {
+        let logged = format!(
+            "{};{}\n{below}0;0,30\n500;0,31\n1000;0,30\n",
+            headings[0], headings[1]
+        );
+        write("logged.csv", &logged);
+        let law = format!("{{ csv = \"logged.csv\", columns = {headings:?}{more} }}");
+        write("a.toml", &corner(&law));
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        (output.status.code(), text(&output.stderr).to_owned())
+    };
+    for (headings, below) in [
+        (["t", "travel"], ""),
+        (["t_s", "travel_m"], ""),
+        (["Zeit [s]", "travel (left)"], ""),
+        (["Time (sec)", "travel"], ""),
+        (["t", "travel"], "s;m\n"),
+        (["t", "travel"], "[s];[m]\n"),
+    ] {
+        assert_eq!(motion(headings, below, ""), (Some(0), String::new()));
+    }
+    let factor = "state the factor between them, as factor = 0.001\n";
+    for (headings, below, at, stated) in [
+        (["t_ms", "travel"], "", 1, "`t_ms` is in ms"),
+        (["Zeit [ms]", "travel"], "", 1, "`Zeit [ms]` is in ms"),
+        (["t", "travel [mm]"], "", 3, "`travel [mm]` is in mm"),
+        (["t", "travel"], "s;mm\n", 3, "`travel` is in mm"),
+        (["t", "travel"], "s;Grad\n", 3, "`travel` is in deg"),
+    ] {
+        let needed = match at {
+            1 => "not in s: convert the column\n",
+            _ => &format!("not in m: {factor}"),
+        };
+        let refused = format!("logged.csv:1:{at}: {stated}, {needed}");
+        assert_eq!(motion(headings, below, ""), (Some(2), refused));
+    }
+    let scaled = motion(["t", "travel [mm]"], "", ", factor = 1.001");
+    assert_eq!(scaled, (Some(0), String::new()));
+}
+
 #[test]
 fn mistakes_in_recordings_have_their_place() {
     let folder = folder();

@@ -13,6 +13,20 @@ use crate::measured_table::MeasuredTable;
 ///
 /// [`Failure::Input`] at the path, at a column that the file does not have, and at a line without a number in a column.
 pub(super) fn read(source: &Source, stated: &CsvTable, of: &str) -> Result<Vec<[f64; 2]>, Failure> {
+    let (table, columns) = columns(source, stated, of)?;
+    points(&table, columns)
+}
+
+/// A table, and the numbers of the two columns that a motion file names.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the path, and at a column that the file does not have.
+pub(super) fn columns(
+    source: &Source,
+    stated: &CsvTable,
+    of: &str,
+) -> Result<(MeasuredTable, [usize; 2]), Failure> {
     let [at, value] = stated.columns.get_ref().as_slice() else {
         let message = format!("`columns` are two headings of the file, {of}");
         return Err(source.refuse(&stated.columns.span(), message));
@@ -27,7 +41,19 @@ pub(super) fn read(source: &Source, stated: &CsvTable, of: &str) -> Result<Vec<[
             source.refuse(&wanted.span(), unknown(&what, wanted.get_ref(), &headings))
         })
     };
-    let (at, value) = (column(at)?, column(value)?);
+    let found = [column(at)?, column(value)?];
+    Ok((table, found))
+}
+
+/// The numbers of two columns, line by line.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at a line without a number in a column.
+pub(super) fn points(
+    table: &MeasuredTable,
+    [at, value]: [usize; 2],
+) -> Result<Vec<[f64; 2]>, Failure> {
     let (places, values) = (table.numbers(at)?, table.numbers(value)?);
     Ok(places
         .into_iter()

@@ -4,7 +4,9 @@ use suspension_core::Values;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{CsvTable, Dimension, StatedLaw};
+use crate::file::{CsvTable, Dimension, Recording, StatedLaw};
+use crate::measured_table::MeasuredTable;
+use crate::measured_table::units::{name_and_symbol, usual_symbol};
 use crate::mechanism::{DriveLaws, Law, Sine, Spline};
 use crate::number::number;
 use crate::prepare::measured_points;
@@ -65,13 +67,51 @@ impl Task<'_> {
                     .offset
                     .as_ref()
                     .map_or(0.0, |zero| *zero.get_ref());
-                let mut points =
-                    measured_points::read(self.source, &recording.table, OF_RECORDING)?;
+                let mut points = self.recorded(recording, dimension.into())?;
                 for [_, recorded] in &mut points {
                     *recorded = value(zero + factor * *recorded) - offset;
                 }
                 self.through(&recording.table, points).map(Law::Recorded)
             }
+        }
+    }
+
+    /// Times and values as they are recorded, perhaps below a line of units. Times are in seconds, and values without a factor
+    /// in the unit of the drive, which is of this dimension.
+    fn recorded(
+        &self,
+        recording: &Recording,
+        dimension: Dimension,
+    ) -> Result<Vec<[f64; 2]>, Failure> {
+        let (mut table, columns) =
+            measured_points::columns(self.source, &recording.table, OF_RECORDING)?;
+        let units = table.take_units();
+        let [times, values] = columns.map(|column| (column, &*units));
+        self.check_unit(&table, times, Dimension::Time, "convert the column")?;
+        if recording.factor.get_ref().abs() == 1.0 {
+            let remedy = "state the factor between them, as factor = 0.001";
+            self.check_unit(&table, values, dimension, remedy)?;
+        }
+        measured_points::points(&table, columns)
+    }
+
+    /// Refuses a column that states another unit than the motion file's, in its heading or in the line of units.
+    fn check_unit(
+        &self,
+        table: &MeasuredTable,
+        (column, units): (usize, &[String]),
+        dimension: Dimension,
+        remedy: &str,
+    ) -> Result<(), Failure> {
+        let heading = table.headings()[column];
+        let below = units.get(column).map_or("", String::as_str);
+        let wanted = dimension.symbol(self.file.unit());
+        match stated_unit(heading, below) {
+            Some(stated) if stated != wanted => {
+                let message = format!("`{heading}` is in {stated}, not in {wanted}: {remedy}");
+                Err(table.refuse_heading(column, message))
+            }
+            _ => Ok(()),
         }
     }
 
@@ -102,4 +142,19 @@ impl Task<'_> {
         }
         Ok(spline)
     }
+}
+
+/// Symbols that are units wherever a heading has them; others, such as `h` and `min`, may be part of a name.
+const UNITS: [&str; 11] = [
+    "s", "ms", "us", "\u{b5}s", "m", "mm", "cm", "in", "rad", "mrad", "deg",
+];
+
+/// The unit of a column according to its heading, as `travel [mm]` or `travel_mm`, or to the line `below` it.
+fn stated_unit(heading: &str, below: &str) -> Option<String> {
+    let symbol = match name_and_symbol(heading, below) {
+        // `steer_in` may be an input.
+        (name, "") => name.rsplit_once('_').filter(|(_, end)| *end != "in")?.1,
+        (_, symbol) => symbol,
+    };
+    Some(usual_symbol(symbol)).filter(|symbol| UNITS.contains(&symbol.as_str()))
 }

@@ -9,6 +9,7 @@ use crate::characteristics::{
     Title, as_in_tables, columns_of_positions, not_of_this, suggest_for_wheels,
 };
 use crate::file::Dimension;
+use crate::measured_table::units::{name_and_symbol, usual_symbol};
 use crate::mechanism::{Angle, Description, GridAxis, Length, Unit};
 use crate::quantities::{Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
@@ -172,31 +173,10 @@ fn units(own: Unit) -> impl Iterator<Item = Unit> {
     [own].into_iter().chain(all)
 }
 
-/// Splits `toe [deg]` or `toe (deg)`. With a unit below, which may be in brackets too, `toe (left)` is a name.
-fn name_and_symbol<'a>(heading: &'a str, below: &'a str) -> (&'a str, &'a str) {
-    let round = || heading.rsplit_once('(').filter(|_| below.is_empty());
-    let split = heading.rsplit_once('[').or_else(round);
-    let (name, symbol) = split.unwrap_or((heading, below));
-    let symbol = symbol.trim_matches(['[', '(', ')', ']']);
-    (name.trim(), symbol.trim())
-}
-
-/// Words and signs of units, and what the program's symbols have in their place.
-const OF_UNITS: [[&str; 2]; 6] = [
-    ["\u{b0}", "deg"],
-    ["degrees", "deg"],
-    ["degree", "deg"],
-    ["grad", "deg"],
-    ["zoll", "in"],
-    ["%", "percent"],
-];
-
 /// Returns the unit that a symbol means for a dimension.
 fn unit_of(dimension: Dimension, name: &str, symbol: &str, own: Unit) -> Result<Unit, String> {
     let (_, usual) = dimension.display_scale(own);
-    let written = symbol.to_lowercase();
-    let words = OF_UNITS.iter();
-    let wanted = words.fold(written, |wanted, [word, ours]| wanted.replace(word, ours));
+    let wanted = usual_symbol(symbol);
     let mut units = units(own);
     let found = units.find(|unit| dimension.symbol(*unit).eq_ignore_ascii_case(&wanted));
     found.ok_or_else(|| match symbol {
