@@ -22,7 +22,7 @@ use crate::output::target::Target;
 use crate::prepare::{Loaded, load};
 use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
 use report::Report;
-use rewritten_file::rewritten;
+use rewritten_file::{left_recordings, rewritten};
 
 /// The arguments of `suspension tune`.
 #[derive(Args, Clone, Debug)]
@@ -75,6 +75,8 @@ impl Arguments {
         }
         let notes = [report.held(), report.idle()].into_iter().flatten();
         print_notes_on(source.name(), notes);
+        let left = left_recordings(&stated, mechanism, &tuned.drives);
+        print_notes_on(source.name(), left);
         let text = rewritten(&source, &stated, &loaded, mechanism, &tuned);
         check(out.path().unwrap_or(&self.file), &text, (mechanism, &tuned))?;
         out.write(&text)?;
@@ -141,7 +143,10 @@ fn refuse_unreadable(
     mechanism: &dyn Kinematics,
 ) -> Result<(), Failure> {
     let there = Source::new(out.display().to_string(), source.text());
-    let read_there = load(&there).and_then(|loaded| loaded.tuning(mechanism).map(|_| ()));
+    let read_there = load(&there).and_then(|loaded| {
+        loaded.at_design()?;
+        loaded.tuning(mechanism).map(|_| ())
+    });
     read_there.map_err(|failure| {
         Failure::Input(format!(
             "--out {}: the file would not be read there: {failure}",
@@ -224,7 +229,8 @@ miss a better one far from them.
 
 Tune prints a table of the moves and of the targets. It writes the motion file with the points found and leaves all else as
 it is. Where a move changes the value of a drive at the design position, the constant of its law in [drives] changes by as
-much. A marker that the file states as an offset from a point moves with it; where a move turns its body, the offset changes.
+much: the first coefficient, the mean of a sine, the offset of a recording that states one. A marker that the file states as
+an offset from a point moves with it; where a move turns its body, the offset changes.
 
 Exit codes: 0 all targets are met, 1 a result cannot be written, 2 wrong input, 3 some targets are not met (the file is
 written), or the design locks before all places of a target, 130 interrupted (the best so far is written).

@@ -5,8 +5,8 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use toml::Spanned;
 
-use crate::file::{Dimension, MotionFile, Offset, Position, Source, StatedLaw};
-use crate::mechanism::Description;
+use crate::file::{Dimension, MotionFile, Offset, Position, Recording, Source, StatedLaw};
+use crate::mechanism::{Description, Drive};
 use crate::number::exact;
 use crate::prepare::Loaded;
 use crate::tune::Tuned;
@@ -106,17 +106,10 @@ fn drives(
     mechanism: &Description,
     tuned: &[f64],
 ) -> Vec<(Range<usize>, String)> {
-    let each = mechanism.names.drives.iter();
-    let each = each.zip(mechanism.design.iter().zip(tuned));
-    let edits = each.filter_map(|(drive, (before, after))| {
-        let law = file.drives.get_ref().get(drive.name.as_str())?;
-        let by = (after - before) * Dimension::from(drive.kind).file_factor(mechanism.unit);
-        if by.abs() < ROUNDING {
-            return None;
-        }
+    let edits = shifted(file, mechanism, tuned).filter_map(|(_, law, by)| {
         let (place, first, others) = match law.get_ref() {
             StatedLaw::Recorded(recording) => {
-                // Without an offset the drive's own values are recorded, which stay.
+                // Without an offset it stays, as `left_recordings` says.
                 let offset = recording.offset.as_ref()?;
                 (offset.span(), offset.get_ref(), &[][..])
             }
@@ -138,6 +131,42 @@ fn drives(
         Some((place, text))
     });
     edits.collect()
+}
+
+/// Returns sentences on recordings without an offset whose drives have other values at the design position than before.
+pub(super) fn left_recordings(
+    file: &MotionFile,
+    mechanism: &Description,
+    tuned: &[f64],
+) -> Vec<String> {
+    let each = shifted(file, mechanism, tuned);
+    let left = each.filter_map(|(drive, law, by)| {
+        let StatedLaw::Recorded(Recording { offset: None, .. }) = law.get_ref() else {
+            return None;
+        };
+        let symbol = Dimension::from(drive.kind).symbol(mechanism.unit);
+        let (name, by) = (&drive.name, decimal(by));
+        Some(format!(
+            "at the design position that was found `{name}` has changed by {by} {symbol}; its recording stays as it is; to shift \
+             it, write offset = {by}"
+        ))
+    });
+    left.collect()
+}
+
+/// The drives of the file that have other values at the design position than before, each with its law and the change.
+fn shifted<'a>(
+    file: &'a MotionFile,
+    mechanism: &'a Description,
+    tuned: &'a [f64],
+) -> impl Iterator<Item = (&'a Drive, &'a Spanned<StatedLaw>, f64)> {
+    let each = mechanism.names.drives.iter();
+    let each = each.zip(mechanism.design.iter().zip(tuned));
+    each.filter_map(|(drive, (before, after))| {
+        let law = file.drives.get_ref().get(drive.name.as_str())?;
+        let by = (after - before) * Dimension::from(drive.kind).file_factor(mechanism.unit);
+        (by.abs() >= ROUNDING).then_some((drive, law, by))
+    })
 }
 
 /// Returns the place and the text of points that the file does not state yet, in the form of its table, or in a new table.

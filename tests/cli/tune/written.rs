@@ -3,19 +3,17 @@
 use super::super::program::{folder, run, text};
 use super::{DRIVES, FLAT, file, met, swept, target, tuned};
 
-/// If a point of a drive is moved along the drive, the motion begins at the new position.
-#[test]
-fn the_tuned_motion_begins_at_the_new_design() {
-    let folder = folder();
+/// The tuning that moves the rack by 8 mm along its drive.
+fn rack_moved(folder: &std::path::Path) -> String {
     let drives = "bump = [0.3, 0.01]\nsteer = [0.348, 0.001, 0.2]";
     let known = file(
         "double_wishbone",
         drives,
         "[points]\nrack = [0.11, 0.348, 0.2]\n",
     );
-    std::fs::write(folder.path().join("a_tuned.toml"), known).expect("written");
-    let bump_steer = swept(folder.path())[24]["toe_deg_per_bump"];
-    let tune = format!(
+    std::fs::write(folder.join("a_tuned.toml"), known).expect("written");
+    let bump_steer = swept(folder)[24]["toe_deg_per_bump"];
+    format!(
         "\
 [tune.moves.rack]
 points = [\"rack\"]
@@ -27,7 +25,14 @@ per = \"bump\"
 value = {bump_steer:?}
 within = 1e-5
 "
-    );
+    )
+}
+
+/// If a point of a drive is moved along the drive, the motion begins at the new position.
+#[test]
+fn the_tuned_motion_begins_at_the_new_design() {
+    let folder = folder();
+    let tune = rack_moved(folder.path());
     std::fs::write(folder.path().join("rack.csv"), "t,y\n0,0\n1,0.01\n").expect("written");
     for (before, after) in [
         ("[0.34, 0.001, 0.2]", "[0.348, 0.001, 0.2]"),
@@ -47,6 +52,28 @@ within = 1e-5
             assert!(written.contains(&format!("\n{line}\n")), "{written}");
         }
     }
+}
+
+/// Without an offset the values are those in a file of its own.
+#[test]
+fn a_recording_stays_and_is_noted() {
+    let folder = folder();
+    let recording = "t,rack\n0,0.34\n1,0.35\n2,0.34\n";
+    std::fs::write(folder.path().join("logged.csv"), recording).expect("written");
+    let steer = "{ csv = \"logged.csv\", columns = [\"t\", \"rack\"] }";
+    let drives = format!("bump = [0.3, 0.01]\nsteer = {steer}");
+    let tune = rack_moved(folder.path());
+    let output = met(folder.path(), &file("double_wishbone", &drives, &tune));
+    let note = "note: a.toml: at the design position that was found `steer` has changed by 0.008 m; its recording stays as it is; to shift it, write offset = 0.008\n";
+    assert_eq!(text(&output.stderr), format!("{note}wrote a_tuned.toml\n"));
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    assert!(
+        written.contains(&format!("\nsteer = {steer}\n")),
+        "{written}"
+    );
+    let output = run(folder.path(), &["tune", "a.toml", "--out", "sub/b.toml"]);
+    let expected = "--out sub/b.toml: the file would not be read there: ";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
 }
 
 /// Springs have their load at the design that is found, as the file that is written says.
