@@ -60,15 +60,21 @@ impl Source {
             }
             Err(error) => return refuse(format!("cannot be read: {error}")),
         };
+        // TOML is in UTF-8 by definition, and listings are read by the macro too.
+        let mut extension = path.extension().into_iter();
+        let is_table = !extension.any(|it| it == "toml" || it == "linkage");
         if bytes.len() > LARGEST {
-            return refuse(format!("is larger than {} MiB", LARGEST >> 20));
+            let size = LARGEST >> 20;
+            let remedy = if is_table {
+                "; leave out columns and lines that are not needed"
+            } else {
+                ""
+            };
+            return refuse(format!("is larger than {size} MiB{remedy}"));
         }
         if WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
             return refuse("is a workbook, not text; save the sheet as CSV in UTF-8".to_owned());
         }
-        // TOML is in UTF-8 by definition, and listings are read by the macro too.
-        let mut extension = path.extension().into_iter();
-        let is_table = !extension.any(|it| it == "toml" || it == "linkage");
         encoding::text(bytes, is_table).map_or_else(
             |error| {
                 let valid = error.utf8_error().valid_up_to();

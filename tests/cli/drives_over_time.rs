@@ -201,6 +201,7 @@ fn mistakes_in_recordings_have_their_place() {
     );
     write("back.csv", "t,bump\n0,0.30\n0.5,0.31\n0.5,0.32\n2,0.30\n");
     write("one.csv", "t,bump\n0,0.30\n");
+    write("large.csv", &"0.123,0.30\n".repeat(400_000));
     let refused = |law: &str, message: &str| {
         write("a.toml", &corner(law));
         let output = run(folder.path(), &["motion", "a.toml"]);
@@ -231,6 +232,10 @@ fn mistakes_in_recordings_have_their_place() {
     refused(
         "{ csv = \"logged.csv\", columns = [\"t\", \"bumb\"] }",
         "a.toml:9:46: unknown column of logged.csv: `bumb`; known are t, bump, gap; did you mean `bump`?",
+    );
+    refused(
+        "{ csv = \"large.csv\", columns = [\"t\", \"bump\"] }",
+        "a.toml:9:16: large.csv: is larger than 4 MiB; leave out columns and lines that are not needed",
     );
     refused(
         "{ csv = \"no.csv\", columns = [\"t\", \"bump\"] }",
