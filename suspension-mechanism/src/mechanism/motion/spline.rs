@@ -142,6 +142,71 @@ mod tests {
         assert!((parabola.derivative(2, 0.07) - 2.0).abs() < 1e-13);
     }
 
+    /// The values are those of `scipy.interpolate.CubicSpline`, version 1.17.1, of which the third derivative at a point is that
+    /// of the piece behind it, as here.
+    #[test]
+    fn the_curve_is_that_of_scipy() {
+        let times = [0.0, 0.1, 0.25, 0.3, 0.55, 0.8, 1.0];
+        let values = [0.30, 0.31, 0.27, 0.28, 0.33, 0.29, 0.30];
+        let points = times.into_iter().zip(values);
+        let spline = Spline::through(points.map(<[f64; 2]>::from).collect()).expect("in order");
+        for (t, expected) in [
+            (
+                0.0,
+                [
+                    0.3,
+                    0.6070126582278483,
+                    -13.023021097046417,
+                    86.48303797468358,
+                ],
+            ),
+            (
+                0.07,
+                [
+                    0.31552843139240505,
+                    -0.09271537552742615,
+                    -6.969208438818566,
+                    86.48303797468358,
+                ],
+            ),
+            (
+                0.27,
+                [
+                    0.2725764475949367,
+                    0.19278511392405098,
+                    5.295540928270038,
+                    -165.10987341772167,
+                ],
+            ),
+            (
+                0.6,
+                [
+                    0.32725981434599155,
+                    -0.10591898734177221,
+                    -1.7964489451476795,
+                    14.88972151898734,
+                ],
+            ),
+            (
+                0.97,
+                [
+                    0.2908043694177215,
+                    0.24859634092827007,
+                    3.7127480168776392,
+                    14.88972151898735,
+                ],
+            ),
+        ] {
+            for (order, expected) in (0..).zip(expected) {
+                let found = spline.derivative(order, t);
+                assert!(
+                    (found - expected).abs() < 1e-12 * expected.abs(),
+                    "{order} at {t}: {found}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn times_must_increase() {
         assert!(Spline::through(vec![[0.0, 1.0]]).is_none());
