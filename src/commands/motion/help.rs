@@ -128,14 +128,13 @@ The file:
   start = 0.0
   stop = 1.95                        # the last instant is the last multiple of step within stop
   step = 0.05
-  [drives]                           # polynomials of time in seconds, constant first,
-  theta = [0.7, 0.5, 0.125]          # in the units of angles or lengths; a single number
-                                     # holds the drive there
-  bump = { mean = 0.30, amplitude = 0.05, frequency = 1.5 }      # or a sine: mean + amplitude sin(2 pi frequency t + phase),
+  [drives]                           # over time in seconds, in the units of angles or lengths:
+  theta = [0.7, 0.5, 0.125]          # a polynomial, constant first; a single number holds the drive there
+  bump = { mean = 0.30, amplitude = 0.05, frequency = 1.5 }   # or a sine, mean + amplitude sin(2 pi frequency t + phase):
                                      # frequency in Hz, phase in the unit of angles, 0 if left out
-  steer = { csv = "logged.csv", columns = ["t_s", "rack"], factor = 0.001, offset = 0.34 }       # or a recording: times in s, and
-                                     # values of which factor (1 if left out) and offset (0) make those of the drive. A cubic
-                                     # spline leads through them: noise becomes accelerations
+  steer = { csv = "logged.csv", columns = ["t_s", "rack"], factor = 0.001, offset = 0.34 }   # or a recording, in a file beside
+                                     # this one: times in s and values x, which a cubic spline interpolates; the drive is
+                                     # offset + factor x, x itself if both are left out. Noise becomes accelerations
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
@@ -186,7 +185,7 @@ The paper prints no coordinates for the wheel centre, point 11. examples/attia20
 Exit codes:
   0    done
   1    a result cannot be written
-  2    wrong input (file:line:column says where), or --csv names the motion file
+  2    wrong input (file:line:column says where), or --csv names an input file
   3    the motion stops short of its last instant (for example where the drive or measure that
        leads it turns), or the points do not assemble in the design position, or the first instant
        is out of reach from there

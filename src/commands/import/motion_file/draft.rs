@@ -173,7 +173,7 @@ impl<'a> Draft<'a> {
             line(&mut text, format_args!("{travel}"));
         }
         text += "\n# In seconds.\n[time]\nstart = 0.0\nstop = 1.0\nstep = 0.02\n";
-        text += "\n# The drives' own values, which start at the design position; polynomials of time.\n[drives]\n";
+        text += "\n# The drives' own values, which start at the design position; polynomials of time. suspension motion --help has sines and recordings.\n[drives]\n";
         for (drive, start) in design.iter().enumerate() {
             let (start, rate) = match self.listing.drive_kind(drive) {
                 DriveKind::Coordinate => (*start, TRAVEL * self.unit.metre()),
