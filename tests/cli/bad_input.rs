@@ -6,7 +6,7 @@ use super::program::{CORNER, edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 76] = [
+const BAD: [Case; 77] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -55,6 +55,7 @@ const BAD: [Case; 76] = [
     ("theta = [", "theta = [nan]", ":55:9", "finite"),
     ("theta = [", "theta = { mean = 1.2, amplitude = 0.5 }", ":55:9", "missing field `frequency`; write it in Hz, as frequency = 1.5"),
     ("theta = [", "theta = { mean = 1.2, amplitude = 0.5, frequency = 0 }", ":55:52", "drive `theta` needs a positive frequency"),
+    ("theta = [", "theta = { mean = 1.2, amplitude = 0.5, frequency = 1e308 }", ":55:52", "drive `theta` has a frequency that is too large"),
     ("theta = [", "theta = { mean = 1.2, amplitude = inf, frequency = 1 }", ":55:35", "finite"),
     ("theta = [", "theta = { mean = 1.2, amplitude = 0.5, frequenc = 1 }", ":55:40", "did you mean `frequency`"),
     ("theta = 1", "theta = nan", ":47:9", "finite"),

@@ -1,6 +1,7 @@
 //! Units in the headings of measured tables.
 
-/// Splits a heading such as `toe [deg]` or `toe (deg)`, with the unit `below` it. With a unit below, which may be in brackets too, `toe (left)` is a name.
+/// Splits a heading such as `toe [deg]` or `toe (deg)`, with the unit `below` it. With a unit below, which may be in
+/// brackets too, `toe (left)` is a name.
 pub fn name_and_symbol<'a>(heading: &'a str, below: &'a str) -> (&'a str, &'a str) {
     let round = || heading.rsplit_once('(').filter(|_| below.is_empty());
     let split = heading.rsplit_once('[').or_else(round);

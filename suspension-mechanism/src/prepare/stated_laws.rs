@@ -12,7 +12,7 @@ use crate::number::number;
 use crate::prepare::measured_points;
 use crate::prepare::task::Task;
 
-/// A part of the time between two instants: what a sum of steps may be off.
+/// What a sum of time steps may be off, as a fraction of the motion's duration.
 const ROUNDING: f64 = 1e-9;
 
 /// The columns of a recording.

@@ -1,5 +1,6 @@
 //! Drives over time.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use toml::Spanned;
@@ -12,7 +13,7 @@ use crate::tables::stated_law::{Sine, StatedLaw};
 /// A place and what is wrong there.
 type Fault = (Range<usize>, &'static str);
 
-/// Checks the drives over time: at least one coefficient each, a positive frequency, all numbers finite.
+/// Checks the drives over time: at least one coefficient each, a positive frequency, all numbers and the rates of a sine finite.
 ///
 /// # Errors
 ///
@@ -48,10 +49,17 @@ fn polynomial_fault(coefficients: &[f64]) -> Option<&'static str> {
 
 fn sine_fault(sine: &Sine) -> Option<Fault> {
     let numbers = [&sine.mean, &sine.amplitude, &sine.frequency, &sine.phase];
+    let [amplitude, frequency] = [&sine.amplitude, &sine.frequency].map(|number| *number.get_ref());
+    let second_rate = amplitude * (TAU * frequency).powi(2);
     not_finite(numbers).or_else(|| {
-        let standing = *sine.frequency.get_ref() <= 0.0;
-        let fault = "needs a positive frequency, in periods per second";
-        standing.then(|| (sine.frequency.span(), fault))
+        let fault = if frequency <= 0.0 {
+            "needs a positive frequency, in periods per second"
+        } else if !second_rate.is_finite() {
+            "has a frequency that is too large to compute with"
+        } else {
+            return None;
+        };
+        Some((sine.frequency.span(), fault))
     })
 }
 

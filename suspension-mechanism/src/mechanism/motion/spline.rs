@@ -6,8 +6,8 @@
 pub struct Spline {
     /// Time and value.
     points: Vec<[f64; 2]>,
-    /// The second derivative at each point.
-    bends: Vec<f64>,
+    /// At each point.
+    second_derivatives: Vec<f64>,
 }
 
 impl Spline {
@@ -15,7 +15,7 @@ impl Spline {
     pub fn through(points: Vec<[f64; 2]>) -> Option<Self> {
         let in_order = points.windows(2).all(|two| two[0][0] < two[1][0]);
         (points.len() >= 2 && in_order).then(|| Self {
-            bends: bends(&points),
+            second_derivatives: second_derivatives(&points),
             points,
         })
     }
@@ -30,29 +30,28 @@ impl Spline {
         let after = self.points.partition_point(|[time, _]| *time <= t);
         let after = after.clamp(1, self.points.len() - 1);
         let [[start, from], [end, to]] = [self.points[after - 1], self.points[after]];
-        let [bend, bend_after] = [self.bends[after - 1], self.bends[after]];
+        let [second, second_after] = [after - 1, after].map(|at| self.second_derivatives[at]);
         let width = end - start;
         let (left, right) = ((end - t) / width, (t - start) / width);
         match order {
             0 => {
                 let cubic = |x: f64| x * x * x - x;
-                let bent = cubic(left) * bend + cubic(right) * bend_after;
-                left * from + right * to + bent * width * width / 6.0
+                let curved = cubic(left) * second + cubic(right) * second_after;
+                left * from + right * to + curved * width * width / 6.0
             }
             1 => {
                 let square = |x: f64| 3.0 * x * x - 1.0;
-                let bent = square(right) * bend_after - square(left) * bend;
-                (to - from) / width + bent * width / 6.0
+                let curved = square(right) * second_after - square(left) * second;
+                (to - from) / width + curved * width / 6.0
             }
-            2 => left * bend + right * bend_after,
-            3 => (bend_after - bend) / width,
+            2 => left * second + right * second_after,
+            3 => (second_after - second) / width,
             _ => 0.0,
         }
     }
 }
 
-/// The second derivatives at the points.
-fn bends(points: &[[f64; 2]]) -> Vec<f64> {
+fn second_derivatives(points: &[[f64; 2]]) -> Vec<f64> {
     let widths: Vec<f64> = points.windows(2).map(|two| two[1][0] - two[0][0]).collect();
     let slopes = points.windows(2).zip(&widths);
     let slopes: Vec<f64> = slopes
@@ -65,7 +64,7 @@ fn bends(points: &[[f64; 2]]) -> Vec<f64> {
     if last == 1 {
         return vec![2.0 * (slopes[1] - slopes[0]) / (widths[0] + widths[1]); 3];
     }
-    // The rows of the inner points, with the bends at both ends expressed by their neighbours.
+    // The rows of the inner points, with the unknowns at both ends expressed by their neighbours.
     let mut rows: Vec<[f64; 4]> = (1..=last)
         .map(|at| {
             let [before, after] = [widths[at - 1], widths[at]];
