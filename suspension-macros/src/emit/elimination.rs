@@ -36,7 +36,7 @@ pub(super) fn factors(system: &System, order: &EliminationOrder) -> TokenStream 
         ///
         #[doc = #equations]
         #[doc = #unknowns]
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy, Debug)]
         pub struct Factors<T> {
             growth_squared: T,
             determinant_sign: T,

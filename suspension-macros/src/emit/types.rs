@@ -101,7 +101,7 @@ fn free(system: &System) -> TokenStream {
     let scalars = &system.scalars;
     quote! {
         /// The free points: the unknowns under their names.
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Copy)]
         struct Free<T> {
             #(#names: Vector3<T>,)*
             #(#scalars: T,)*

@@ -140,7 +140,7 @@ pub mod attia2003 {
     }
 
     /// The free points: the unknowns under their names.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy)]
     struct Free<T> {
         p6: Vector3<T>,
         p7: Vector3<T>,
@@ -901,7 +901,7 @@ pub mod attia2003 {
     ///
     /// An entry is named by its equation: `d1` d6_1, `d2` d7_2, `d3` d8_3, `d4` d9_4, `d5` d10_5, `d76` d7_6, `d86` d8_6, `d96` d9_6, `d16` d10_6, `d87` d8_7, `d97` d9_7, `d17` d10_7, `d98` d9_8, `d18` d10_8, `theta` theta;
     /// and its unknown: `p6` p6, `p7` p7, `p8` p8, `p9` p9, `p10` p10.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug)]
     pub struct Factors<T> {
         growth_squared: T,
         determinant_sign: T,

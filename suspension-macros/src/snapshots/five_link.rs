@@ -138,7 +138,7 @@ pub mod five_link {
     }
 
     /// The free points: the unknowns under their names.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy)]
     struct Free<T> {
         lower_front_outer: Vector3<T>,
         upper_front_outer: Vector3<T>,
@@ -795,7 +795,7 @@ pub mod five_link {
     ///
     /// An entry is named by its equation: `lf` lower_front, `uf` upper_front, `ur` upper_rear, `lr` lower_rear, `tr` track_rod, `klfoufo` knuckle_lower_front_outer_upper_front_outer, `klfouro` knuckle_lower_front_outer_upper_rear_outer, `kufouro` knuckle_upper_front_outer_upper_rear_outer, `klro` knuckle_lower_rear_outer, `ktro` knuckle_track_rod_outer, `theta` theta;
     /// and its unknown: `lfo` lower_front_outer, `ufo` upper_front_outer, `uro` upper_rear_outer, `lro` lower_rear_outer, `tro` track_rod_outer.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug)]
     pub struct Factors<T> {
         growth_squared: T,
         determinant_sign: T,
