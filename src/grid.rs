@@ -195,7 +195,7 @@ pub fn doubt(
         size: converted(Dimension::Length, size),
         unit,
     };
-    let scale = dimension.file_factor(unit);
+    let scale = unit.file_factor(dimension);
     at_design.doubt(ends.map(|end| end / scale), from, way)
 }
 

@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{Dimension, MotionFile, Source};
+use crate::file::{MotionFile, Source};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{CountedFrom, Description, GridAxis};
@@ -113,7 +113,7 @@ fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[tune::Target]) -> Vec<
     let of_axis = |target: &tune::Target, axis: &GridAxis| {
         let (drive, _) = *axis.drives.iter().find(|(_, part)| *part > 0.0)?;
         let kind = mechanism.names.drives[drive].kind;
-        let scale = Dimension::from(kind).file_factor(mechanism.unit);
+        let scale = mechanism.unit.file_factor(kind);
         let ends = [*axis.values.first()?, *axis.values.last()?];
         let [from, to] = ends.map(|end| number((end - mechanism.design[drive]) * scale));
         let key = match axis.drives_in_words(mechanism) {

@@ -80,7 +80,7 @@ impl Dimension {
         let people = Unit { angle, ..unit };
         match self {
             Self::Percent => (1.0, "%".to_owned()),
-            _ => (self.file_factor(people), self.symbol(people)),
+            _ => (people.file_factor(self), self.symbol(people)),
         }
     }
 
@@ -89,15 +89,6 @@ impl Dimension {
         match self.powers() {
             [1, _] => to.metre() / from.metre(),
             [-1, _] => from.metre() / to.metre(),
-            _ => 1.0,
-        }
-    }
-
-    /// Returns the factor from the program's unit to that of the file.
-    pub fn file_factor(self, unit: Unit) -> f64 {
-        match self.powers() {
-            [_, 1] => unit.angle.radian(),
-            [_, -1] => 1.0 / unit.angle.radian(),
             _ => 1.0,
         }
     }
@@ -139,6 +130,17 @@ impl Dimension {
             | Self::AnglePerAngle
             | Self::Mass
             | Self::Percent => 3,
+        }
+    }
+}
+
+impl Unit {
+    /// Returns the factor from the program's unit to that of the file.
+    pub fn file_factor(self, of: impl Into<Dimension>) -> f64 {
+        match of.into().powers() {
+            [_, 1] => self.angle.radian(),
+            [_, -1] => 1.0 / self.angle.radian(),
+            _ => 1.0,
         }
     }
 }

@@ -12,3 +12,4 @@ pub(crate) mod target_values;
 pub(crate) mod torque;
 pub(crate) mod tune;
 pub(crate) mod vehicle;
+mod written;

@@ -217,22 +217,22 @@ impl Listing {
 
     /// The index of a point among all: chassis points, free points, markers.
     pub fn point(&self, name: &str) -> Option<usize> {
-        place(self.names.points(), name)
+        place(&self.names.points, name)
     }
 
     /// The index of a drive.
     pub fn drive(&self, name: &str) -> Option<usize> {
-        place(self.names.drives(), name)
+        place(&self.names.drives, name)
     }
 
     /// The index of a measure.
     pub fn measure(&self, name: &str) -> Option<usize> {
-        place(self.names.measures(), name)
+        place(&self.names.measures, name)
     }
 
     /// The index of a length.
     pub fn length(&self, name: &str) -> Option<usize> {
-        place(self.names.lengths(), name)
+        place(&self.names.lengths, name)
     }
 }
 

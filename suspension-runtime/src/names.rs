@@ -8,10 +8,10 @@ use suspension_listing::system::{AXES, Point, System};
 pub(crate) struct Names {
     equations: Vec<String>,
     unknowns: Vec<String>,
-    points: Vec<String>,
-    drives: Vec<String>,
-    measures: Vec<String>,
-    lengths: Vec<String>,
+    pub(crate) points: Vec<String>,
+    pub(crate) drives: Vec<String>,
+    pub(crate) measures: Vec<String>,
+    pub(crate) lengths: Vec<String>,
 }
 
 impl Names {
@@ -43,22 +43,6 @@ impl Names {
             Part::Length(_) => &self.lengths,
         };
         table.get(part.index()).map_or("?", String::as_str)
-    }
-
-    pub(crate) fn points(&self) -> &[String] {
-        &self.points
-    }
-
-    pub(crate) fn drives(&self) -> &[String] {
-        &self.drives
-    }
-
-    pub(crate) fn measures(&self) -> &[String] {
-        &self.measures
-    }
-
-    pub(crate) fn lengths(&self) -> &[String] {
-        &self.lengths
     }
 }
 

@@ -4,7 +4,6 @@ use std::sync::atomic::AtomicBool;
 
 use crate::assemblies::Tally;
 use crate::failure::Failure;
-use crate::file::Dimension;
 use crate::kinematics::{Assembly, Kinematics};
 use crate::mechanism::DrivenLength;
 use crate::output::progress::search::Search;
@@ -97,7 +96,7 @@ fn places(
     let drive = drive.map_err(refuse)?;
     let (kind, unit) = (mechanism.names.drives[drive].kind, mechanism.unit);
     let with = |value: &f64| {
-        let inside = value / Dimension::from(kind).file_factor(unit);
+        let inside = value / unit.file_factor(kind);
         let finite = || (!value.is_finite()).then(|| "a drive has a finite value".to_owned());
         let below_zero = || {
             let length = DrivenLength::below_zero(&mechanism.names.driven_lengths, drive, inside)?;

@@ -192,7 +192,7 @@ impl Report<'_> {
     /// Returns the ends of a drive's range and what limits each.
     fn reach<'r>(&self, range: &'r DriveRange) -> [(&'r str, String); 2] {
         let (dimension, unit) = (Dimension::from(range.kind), self.mechanism.unit);
-        let (symbol, scale) = (dimension.symbol(unit), dimension.file_factor(unit));
+        let (symbol, scale) = (dimension.symbol(unit), unit.file_factor(dimension));
         let end = |what: &'r str, end: &RangeEnd| {
             let change = describe_change_from_design(end.value - range.start, range.kind, unit);
             let value = rounded(end.value * scale, DIGITS_OF_END);

@@ -36,8 +36,8 @@ pub(super) fn notes(sides: [&Suspension; 2]) -> Vec<String> {
     let notes = notes.chain(unlike_steering(sides));
     let notes = notes.chain(opposite_steering(sides));
     let notes = notes.chain(no_radius(sides));
-    let curves = sides.into_iter().flat_map(|side| &side.curves);
-    let small_steer = curves.filter_map(Curves::without_small_steer).next();
+    let mut curves = sides.into_iter().flat_map(|side| &side.curves);
+    let small_steer = curves.find_map(Curves::without_small_steer);
     let shorter_roll = sides.into_iter().find_map(|side| side.shorter_roll.clone());
     let notes = notes.chain(small_steer).chain(shorter_roll);
     let notes = notes.chain(only_in(a, b, "A")).chain(only_in(b, a, "B"));

@@ -164,7 +164,7 @@ fn shifted<'a>(
     let each = each.zip(mechanism.design.iter().zip(tuned));
     each.filter_map(|(drive, (before, after))| {
         let law = file.drives.get_ref().get(drive.name.as_str())?;
-        let by = (after - before) * Dimension::from(drive.kind).file_factor(mechanism.unit);
+        let by = (after - before) * mechanism.unit.file_factor(drive.kind);
         (by.abs() >= ROUNDING).then_some((drive, law, by))
     })
 }

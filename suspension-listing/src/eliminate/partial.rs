@@ -174,8 +174,8 @@ impl Partial {
 
     /// Eliminates the pivot's column from the other rows that have an entry in it.
     fn step(&mut self, row: usize, column: usize, pivot: Cell) {
-        let right = self.close_row(row, column);
-        let below = self.close_column(row, column);
+        let right = close(&mut self.columns_of, &mut self.rows_of, row, column);
+        let below = close(&mut self.rows_of, &mut self.columns_of, column, row);
         let scaled = usize::from(!pivot.unit);
         let inverse_ready = pivot.ready + scaled * DIVISION;
         let divided = scaled * (below.len() + right.len());
@@ -211,28 +211,6 @@ impl Partial {
         });
     }
 
-    /// Takes the pivot's row out; returns its other columns.
-    fn close_row(&mut self, row: usize, pivot: usize) -> Vec<usize> {
-        let mut columns = std::mem::take(&mut self.columns_of[row]);
-        columns.retain(|&column| column != pivot);
-        columns.sort_unstable();
-        for &column in &columns {
-            self.rows_of[column].retain(|&open| open != row);
-        }
-        columns
-    }
-
-    /// Takes the pivot's column out; returns its other rows.
-    fn close_column(&mut self, pivot: usize, column: usize) -> Vec<usize> {
-        let mut rows = std::mem::take(&mut self.rows_of[column]);
-        rows.retain(|&row| row != pivot);
-        rows.sort_unstable();
-        for &row in &rows {
-            self.columns_of[row].retain(|&open| open != column);
-        }
-        rows
-    }
-
     /// Subtracts a multiple of the pivot's row, in the given columns, from another.
     fn subtract(&mut self, multiplier: &Cell, pivot: usize, other: usize, columns: &[usize]) {
         for &column in columns {
@@ -258,4 +236,20 @@ impl Partial {
             }
         }
     }
+}
+
+/// Takes a row out of both lists, or a column; returns the places of its entries other than the pivot.
+fn close(
+    own: &mut [Vec<usize>],
+    across: &mut [Vec<usize>],
+    line: usize,
+    pivot: usize,
+) -> Vec<usize> {
+    let mut others = std::mem::take(&mut own[line]);
+    others.retain(|&other| other != pivot);
+    others.sort_unstable();
+    for &other in &others {
+        across[other].retain(|&open| open != line);
+    }
+    others
 }

@@ -136,7 +136,7 @@ impl Read<'_> {
     fn rates(&self, column: &Column, scale: f64) -> Vec<Option<f64>> {
         let of_drive = self.drive_dimension();
         let of_change = of_drive.conversion(self.mechanism.unit, self.unit);
-        let per = scale / (of_change * of_drive.file_factor(self.unit));
+        let per = scale / (of_change * self.unit.file_factor(of_drive));
         self.values(&|_, states| Some(rate(column, self.mode, states)? * per))
     }
 

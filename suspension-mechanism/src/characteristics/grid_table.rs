@@ -2,7 +2,6 @@
 
 use suspension_core::Signal;
 
-use crate::file::Dimension;
 use crate::mechanism::{Angle, DRIVES_AT_ONCE, Description, Gradient, Place, State};
 use crate::quantities::{
     Column, Compiled, DRIVES, Reader, Shown, catalogue, columns_in, is_driven_angle,
@@ -33,10 +32,10 @@ impl GridTable {
         let Description { names, unit, .. } = mechanism;
         let of_drives = names.drives.iter().filter(|_| derivatives > 0);
         let drives: Vec<f64> = of_drives
-            .map(|drive| Dimension::from(drive.kind).file_factor(*unit))
+            .map(|drive| unit.file_factor(drive.kind))
             .collect();
         let scaled = |column: Column| {
-            let scale = column.dimension.file_factor(*unit);
+            let scale = unit.file_factor(column.dimension);
             (column, scale)
         };
         let quantities: Vec<_> = columns_of_positions(mechanism).map(scaled).collect();

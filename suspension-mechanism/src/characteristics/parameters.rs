@@ -104,7 +104,7 @@ fn parameter(
     let along = |per: &PerDrive| {
         let (drive, state) = per.as_ref().filter(|_| column.has_derivatives)?;
         let value = column.along(state).rate * scale
-            / (drive.conversion(from, unit) * drive.file_factor(unit));
+            / (drive.conversion(from, unit) * unit.file_factor(*drive));
         Some(Derivative {
             value,
             symbol: symbol_per(&symbol, *drive, unit),

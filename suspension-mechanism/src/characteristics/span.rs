@@ -29,8 +29,9 @@ pub fn through_design([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     let mut changes = evenly_spaced([from, to], count);
     if from < 0.0 && to > 0.0 {
         let inner = changes.iter_mut().skip(1).take(count.saturating_sub(2));
-        let nearest = inner.min_by(|a, b| a.abs().total_cmp(&b.abs()));
-        nearest.into_iter().for_each(|change| *change = 0.0);
+        if let Some(nearest) = inner.min_by(|a, b| a.abs().total_cmp(&b.abs())) {
+            *nearest = 0.0;
+        }
     }
     changes
 }

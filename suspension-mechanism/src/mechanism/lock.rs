@@ -159,7 +159,7 @@ pub fn report_of_singular(file: &str) -> String {
 pub fn describe_change_from_design(change: f64, kind: DriveKind, unit: Unit) -> String {
     const DIGITS: usize = 4;
     let dimension = Dimension::from(kind);
-    let size = rounded((change * dimension.file_factor(unit)).abs(), DIGITS);
+    let size = rounded((change * unit.file_factor(dimension)).abs(), DIGITS);
     let sign = if change < 0.0 { "-" } else { "+" };
     format!("at {sign}{size} {} from the design", dimension.symbol(unit))
 }

@@ -77,7 +77,7 @@ impl DriveAtDesign<'_> {
         };
         let dimension = Dimension::from(self.drive.kind);
         let (name, symbol) = (&self.drive.name, dimension.symbol(self.unit));
-        let design = rounded(self.design * dimension.file_factor(self.unit), DIGITS);
+        let design = rounded(self.design * self.unit.file_factor(dimension), DIGITS);
         Some(format!(
             "`{name}` takes {takes}, not {not}: `{name}` is {design} {symbol} at the design position{way}"
         ))

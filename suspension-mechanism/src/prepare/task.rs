@@ -115,7 +115,7 @@ impl<'a> Task<'a> {
 
     /// A number of the file, in radians if it is an angle.
     pub(super) fn in_radians(&self, stated: f64, dimension: impl Into<Dimension>) -> f64 {
-        stated / dimension.into().file_factor(self.file.unit())
+        stated / self.file.unit().file_factor(dimension)
     }
 
     /// Checks that driving angles are in their ranges. `table` has the drives' places.

@@ -17,8 +17,8 @@ use crate::file::PerWheel;
 use crate::mechanism::{Names, Vehicle, Wheel, is_within};
 use crate::prepare::task::Task;
 use brake_and_drive::{car, torques};
+use per_wheel::for_each_wheel;
 pub(super) use per_wheel::{checked, is_positive, is_stated, length};
-use per_wheel::{checked_length, for_each_wheel};
 
 /// The names of the drives of travel and of steering if the file does not name them.
 const TRAVEL: &str = "bump";
@@ -52,7 +52,7 @@ pub(super) fn names_with_vehicle(
     })?;
     let lengths = for_each_wheel(task, wheels, &stated.wheel_radius)?;
     for (wheel, radius) in wheels.iter_mut().zip(lengths) {
-        wheel.radius = checked_length(task, "wheel_radius", radius)?;
+        wheel.radius = length(task, "wheel_radius", radius.as_ref())?;
     }
     let wheelbase = length(task, "wheelbase", stated.wheelbase.as_ref())?;
     let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
@@ -93,13 +93,13 @@ fn drives(
     for (wheel, stated) in wheels.iter_mut().zip(stated) {
         *drive_of(wheel) = match stated {
             None => usual_drive(&known, usual, &wheel.name),
-            Some((wanted, place)) => {
-                let drive = task.names.drive(&wanted);
-                let refused = || {
-                    task.source
-                        .refuse(&place, unknown("drive", &wanted, &known))
-                };
-                Some(drive.ok_or_else(refused)?)
+            Some(stated) => {
+                let wanted = stated.get_ref();
+                let drive = task.names.drive(wanted).ok_or_else(|| {
+                    let message = unknown("drive", wanted, &known);
+                    task.source.refuse(&stated.span(), message)
+                })?;
+                Some(drive)
             }
         };
     }

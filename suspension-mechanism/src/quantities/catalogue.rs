@@ -70,7 +70,7 @@ pub(crate) fn is_driven_angle(column: &Column) -> bool {
 
 /// The value of a column in a state, in the file's units; that of a driven angle is as the file states it.
 pub fn value_in_file(column: &Column, state: &State, unit: Unit) -> f64 {
-    let value = column.value(state) * column.dimension.file_factor(unit);
+    let value = column.value(state) * unit.file_factor(column.dimension);
     if is_driven_angle(column) {
         unit.angle.as_stated(value)
     } else {

@@ -101,8 +101,8 @@ impl<N: Compiled> Column<N> {
 
     /// The factor from the number, or its derivative with respect to a drive, to its value in the file.
     pub(crate) fn file_factor_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
-        let per = drive.map_or(1.0, |drive| Dimension::from(drive.kind).file_factor(unit));
-        self.dimension.file_factor(unit) / per
+        let per = drive.map_or(1.0, |drive| unit.file_factor(drive.kind));
+        unit.file_factor(self.dimension) / per
     }
 
     /// The factor to the value for people, and the symbol of its unit.
@@ -111,7 +111,7 @@ impl<N: Compiled> Column<N> {
         match drive.map(|drive| Dimension::from(drive.kind)) {
             Some(per) => {
                 let symbol = format!("{symbol}/{}", per.symbol(unit));
-                (scale / per.file_factor(unit), symbol)
+                (scale / unit.file_factor(per), symbol)
             }
             None => (scale, symbol),
         }

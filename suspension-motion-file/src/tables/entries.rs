@@ -4,9 +4,11 @@ use std::fmt;
 use std::marker::PhantomData;
 use std::ops::Index;
 
-use serde::Deserialize;
-use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
+
+use crate::tables::written::{Written, read_written};
 
 /// Values by name, with the place of the table in the file.
 pub type Table<V> = Spanned<Entries<V>>;
@@ -71,7 +73,7 @@ impl<V> Index<&str> for Entries<V> {
 }
 
 impl<'de, V: Deserialize<'de>> Deserialize<'de> for Entries<V> {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(EntriesVisitor(PhantomData))
     }
 }
@@ -106,7 +108,7 @@ pub(crate) trait UnderName {
 /// because serde would read its entries as keys in order.
 pub(crate) fn read_named_tables<'de, D, V>(deserializer: D) -> Result<Table<V>, D::Error>
 where
-    D: de::Deserializer<'de>,
+    D: Deserializer<'de>,
     V: UnderName + Deserialize<'de>,
 {
     let stated = Table::<Keys<V>>::deserialize(deserializer)?;
@@ -122,21 +124,15 @@ where
 struct Keys<V>(V);
 
 impl<'de, V: UnderName + Deserialize<'de>> Deserialize<'de> for Keys<V> {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(KeysVisitor(PhantomData))
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct KeysVisitor<V>(PhantomData<V>);
+impl<'de, V: UnderName + Deserialize<'de>> Written<'de> for Keys<V> {
+    const EXPECTED: &'static str = V::EXPECTED;
 
-impl<'de, V: UnderName + Deserialize<'de>> Visitor<'de> for KeysVisitor<V> {
-    type Value = Keys<V>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(V::EXPECTED)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Keys<V>, A::Error> {
-        V::deserialize(MapAccessDeserializer::new(map)).map(Keys)
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        V::deserialize(table).map(Keys)
     }
 }

@@ -1,16 +1,12 @@
 //! The loads of a load case.
 
-use std::fmt;
-
-use serde::Deserialize;
-use serde::de::{
-    self, MapAccess, SeqAccess, Visitor,
-    value::{MapAccessDeserializer, SeqAccessDeserializer},
-};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use toml::Value;
 
 use crate::tables::entries::Entries;
 use crate::tables::number_list::number_list;
+use crate::tables::written::{Written, read_written};
 
 /// A load at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,28 +49,23 @@ impl Load {
 }
 
 impl<'de> Deserialize<'de> for LoadCase {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(LoadCaseVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct LoadCaseVisitor;
+impl<'de> Written<'de> for LoadCase {
+    const EXPECTED: &'static str =
+        "a load case, which has a name: write its lines under [loads.NAME]";
 
-impl<'de> Visitor<'de> for LoadCaseVisitor {
-    type Value = LoadCase;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a load case, which has a name: write its lines under [loads.NAME]")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LoadCase, A::Error> {
-        Deserialize::deserialize(MapAccessDeserializer::new(map)).map(LoadCase)
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        Entries::deserialize(table).map(Self)
     }
 }
 
 impl<'de> Deserialize<'de> for Load {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(LoadVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
@@ -82,50 +73,38 @@ impl<'de> Deserialize<'de> for Load {
 const WRITTEN: &str =
     "a force is written contact = [-3000.0, 0.0, 4000.0], in N, under [loads.NAME]";
 
-struct LoadVisitor;
+impl<'de> Written<'de> for Load {
+    const EXPECTED: &'static str = "a force [x, y, z] in N, { force = [x, y, z], moment = [x, y, z] }, a number for a measure, for a drive \
+         the name of the measure that bears its load, or acting = [\"NAME\"] with names of springs";
 
-impl<'de> Visitor<'de> for LoadVisitor {
-    type Value = Load;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "a force [x, y, z] in N, { force = [x, y, z], moment = [x, y, z] }, a number for a measure, for a drive \
-             the name of the measure that bears its load, or acting = [\"NAME\"] with names of springs",
-        )
+    fn number(force: f64) -> Option<Self> {
+        Some(Self::Along(force))
     }
 
-    fn visit_f64<E: de::Error>(self, force: f64) -> Result<Load, E> {
-        Ok(Load::Along(force))
+    fn text(measure: &str) -> Option<Self> {
+        Some(Self::By(measure.to_owned()))
     }
 
-    fn visit_i64<E: de::Error>(self, force: i64) -> Result<Load, E> {
-        Ok(Load::Along(force as f64))
-    }
-
-    fn visit_str<E: de::Error>(self, measure: &str) -> Result<Load, E> {
-        Ok(Load::By(measure.to_owned()))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Load, A::Error> {
-        let entries = Vec::<Value>::deserialize(SeqAccessDeserializer::new(entries))?;
+    fn list<D: Deserializer<'de>>(list: D) -> Result<Self, D::Error> {
+        let entries = Vec::<Value>::deserialize(list)?;
         let names = entries
             .iter()
             .map(|entry| entry.as_str().map(str::to_owned));
         let names: Option<Vec<String>> = names.collect();
         if let Some(names) = names.filter(|names| !names.is_empty()) {
-            return Ok(Load::BySeveral(names));
+            return Ok(Self::BySeveral(names));
         }
         let force = number_list(Value::Array(entries)).map_err(|error| {
             let mistake = error.to_string();
-            de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
+            D::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
         })?;
-        Ok(Load::At(Wrench {
+        Ok(Self::At(Wrench {
             force,
             ..Wrench::default()
         }))
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Load, A::Error> {
-        Wrench::deserialize(MapAccessDeserializer::new(map)).map(Load::At)
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        Wrench::deserialize(table).map(Self::At)
     }
 }

@@ -1,13 +1,11 @@
 //! The mass of a moving part.
 
-use std::fmt;
-
 use nalgebra::Vector3;
-use serde::Deserialize;
-use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::tables::number_list::number_list;
+use crate::tables::written::{Written, read_written};
 
 /// The mass of a moving part.
 #[derive(Clone, Debug)]
@@ -60,29 +58,19 @@ pub enum Centre {
 }
 
 impl<'de> Deserialize<'de> for MassTable {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(MassVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct MassVisitor;
+impl<'de> Written<'de> for MassTable {
+    const EXPECTED: &'static str = "a mass in kg, or of a body { mass = 25.0, centre = \"wheel_centre\", inertia = [0.8, 1.2, 0.8] }";
 
-impl<'de> Visitor<'de> for MassVisitor {
-    type Value = MassTable;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a mass in kg, or of a body { mass = 25.0, centre = \"wheel_centre\", inertia = [0.8, 1.2, 0.8] }")
+    fn number(mass: f64) -> Option<Self> {
+        Some(Self::Alone(mass))
     }
 
-    fn visit_f64<E: de::Error>(self, mass: f64) -> Result<MassTable, E> {
-        Ok(MassTable::Alone(mass))
-    }
-
-    fn visit_i64<E: de::Error>(self, mass: i64) -> Result<MassTable, E> {
-        Ok(MassTable::Alone(mass as f64))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<MassTable, A::Error> {
-        BodyMass::deserialize(MapAccessDeserializer::new(map)).map(MassTable::OfBody)
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        BodyMass::deserialize(table).map(Self::OfBody)
     }
 }

@@ -1,15 +1,12 @@
 //! Values stated once for all wheels, or for some of them.
 
-use std::fmt;
-use std::marker::PhantomData;
-
-use serde::Deserialize;
-use serde::de::{
-    self, IntoDeserializer, MapAccess, Unexpected, Visitor, value::MapAccessDeserializer,
-};
+use serde::de::value::{self, F64Deserializer, StrDeserializer};
+use serde::de::{Error, IntoDeserializer};
+use serde::{Deserialize, Deserializer};
 
 use crate::axle::is_within;
 use crate::tables::entries::Entries;
+use crate::tables::written::{Written, read_written};
 
 /// Values of wheels.
 #[derive(Clone, Debug)]
@@ -45,44 +42,30 @@ impl OfWheel for f64 {
 }
 
 impl<'de, T: OfWheel + Deserialize<'de>> Deserialize<'de> for PerWheel<T> {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(OfWheelVisitor(PhantomData))
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct OfWheelVisitor<T>(PhantomData<T>);
+impl<'de, T: OfWheel + Deserialize<'de>> Written<'de> for PerWheel<T> {
+    const EXPECTED: &'static str = T::WRITTEN;
 
-impl<'de, T: OfWheel + Deserialize<'de>> Visitor<'de> for OfWheelVisitor<T> {
-    type Value = PerWheel<T>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(T::WRITTEN)
+    fn number(number: f64) -> Option<Self> {
+        let all = T::deserialize::<F64Deserializer<value::Error>>(number.into_deserializer());
+        all.ok().map(Self::All)
     }
 
-    fn visit_str<E: de::Error>(self, name: &str) -> Result<PerWheel<T>, E> {
-        let all = T::deserialize(name.into_deserializer());
-        all.map(PerWheel::All)
-            .map_err(|_: E| E::invalid_type(Unexpected::Str(name), &self))
+    fn text(name: &str) -> Option<Self> {
+        let all = T::deserialize::<StrDeserializer<'_, value::Error>>(name.into_deserializer());
+        all.ok().map(Self::All)
     }
 
-    fn visit_f64<E: de::Error>(self, number: f64) -> Result<PerWheel<T>, E> {
-        let all = T::deserialize(number.into_deserializer());
-        all.map(PerWheel::All)
-            .map_err(|_: E| E::invalid_type(Unexpected::Float(number), &self))
-    }
-
-    fn visit_i64<E: de::Error>(self, number: i64) -> Result<PerWheel<T>, E> {
-        let all = T::deserialize(number.into_deserializer());
-        all.map(PerWheel::All)
-            .map_err(|_: E| E::invalid_type(Unexpected::Signed(number), &self))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PerWheel<T>, A::Error> {
-        let of_some = Entries::deserialize(MapAccessDeserializer::new(map))?;
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        let of_some = Entries::deserialize(table)?;
         if of_some.is_empty() {
             let message = format!("the table is empty; write {}, or leave it out", T::WRITTEN);
-            return Err(de::Error::custom(message));
+            return Err(D::Error::custom(message));
         }
-        Ok(PerWheel::Of(of_some))
+        Ok(Self::Of(of_some))
     }
 }

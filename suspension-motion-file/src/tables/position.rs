@@ -1,15 +1,10 @@
 //! The position of a point: at coordinates, or relative to another point.
 
-use std::fmt;
-
-use serde::Deserialize;
-use serde::de::{
-    self, MapAccess, SeqAccess, Visitor,
-    value::{MapAccessDeserializer, SeqAccessDeserializer},
-};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::tables::number_list::{number_list, spanned_number_list};
+use crate::tables::written::{Written, read_written};
 
 /// The position of a point.
 #[derive(Clone, Debug)]
@@ -32,25 +27,19 @@ pub struct Offset {
 }
 
 impl<'de> Deserialize<'de> for Position {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(PositionVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct PositionVisitor;
+impl<'de> Written<'de> for Position {
+    const EXPECTED: &'static str = "[x, y, z] or { from = \"point\", offset = [x, y, z] }";
 
-impl<'de> Visitor<'de> for PositionVisitor {
-    type Value = Position;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("[x, y, z] or { from = \"point\", offset = [x, y, z] }")
+    fn list<D: Deserializer<'de>>(list: D) -> Result<Self, D::Error> {
+        number_list(list).map(Self::At)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Position, A::Error> {
-        number_list(SeqAccessDeserializer::new(entries)).map(Position::At)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {
-        Offset::deserialize(MapAccessDeserializer::new(map)).map(Position::Off)
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        Offset::deserialize(table).map(Self::Off)
     }
 }

@@ -1,15 +1,10 @@
 //! A drive over time: a polynomial, a sine, or a recording.
 
-use std::fmt;
-
-use serde::Deserialize;
-use serde::de::{
-    self, MapAccess, SeqAccess, Visitor,
-    value::{MapAccessDeserializer, SeqAccessDeserializer},
-};
+use serde::{Deserialize, Deserializer, de};
 use toml::Spanned;
 
 use crate::tables::target_values::CsvTable;
+use crate::tables::written::{Written, read_written};
 
 /// A drive over time, as the file states it.
 #[derive(Clone, Debug)]
@@ -107,37 +102,25 @@ impl Keys {
 }
 
 impl<'de> Deserialize<'de> for StatedLaw {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(LawVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct LawVisitor;
+impl<'de> Written<'de> for StatedLaw {
+    const EXPECTED: &'static str = "a number, coefficients of a polynomial of time as [value, rate, ...], \
+         a sine as { mean = 0.30, amplitude = 0.05, frequency = 1.5 }, \
+         or a recording as { csv = \"logged.csv\", columns = [\"t_s\", \"bump\"] }";
 
-impl<'de> Visitor<'de> for LawVisitor {
-    type Value = StatedLaw;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "a number, coefficients of a polynomial of time as [value, rate, ...], \
-             a sine as { mean = 0.30, amplitude = 0.05, frequency = 1.5 }, \
-             or a recording as { csv = \"logged.csv\", columns = [\"t_s\", \"bump\"] }",
-        )
+    fn number(value: f64) -> Option<Self> {
+        Some(Self::Polynomial(vec![value]))
     }
 
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<StatedLaw, E> {
-        Ok(StatedLaw::Polynomial(vec![value]))
+    fn list<D: Deserializer<'de>>(list: D) -> Result<Self, D::Error> {
+        Vec::deserialize(list).map(Self::Polynomial)
     }
 
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<StatedLaw, E> {
-        Ok(StatedLaw::Polynomial(vec![value as f64]))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<StatedLaw, A::Error> {
-        Vec::deserialize(SeqAccessDeserializer::new(entries)).map(StatedLaw::Polynomial)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<StatedLaw, A::Error> {
-        Keys::deserialize(MapAccessDeserializer::new(map))?.law()
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        Keys::deserialize(table)?.law()
     }
 }

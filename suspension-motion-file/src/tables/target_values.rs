@@ -1,13 +1,10 @@
 //! The values that a target of tuning states.
 
-use std::fmt;
-
-use serde::Deserialize;
-use serde::de::{
-    self, MapAccess, SeqAccess, Visitor,
-    value::{MapAccessDeserializer, SeqAccessDeserializer},
-};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
+
+use crate::tables::written::{Written, read_written};
 
 /// One number for all places, one for each place, or measured points.
 #[derive(Clone, Debug)]
@@ -33,50 +30,38 @@ pub struct CsvTable {
 }
 
 impl<'de> Deserialize<'de> for TargetValues {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(TargetValuesVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct TargetValuesVisitor;
+impl<'de> Written<'de> for TargetValues {
+    const EXPECTED: &'static str = "a number, one for each of evenly spaced values of the drive as [0.0, 0.1, 0.3], measured points as \
+         [[-0.05, 0.1], [0.04, 0.3]], or { csv = \"measured.csv\", columns = [\"travel\", \"toe\"] }";
 
-impl<'de> Visitor<'de> for TargetValuesVisitor {
-    type Value = TargetValues;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "a number, one for each of evenly spaced values of the drive as [0.0, 0.1, 0.3], measured points as \
-             [[-0.05, 0.1], [0.04, 0.3]], or { csv = \"measured.csv\", columns = [\"travel\", \"toe\"] }",
-        )
+    fn number(number: f64) -> Option<Self> {
+        Some(Self::Everywhere(number))
     }
 
-    fn visit_f64<E>(self, number: f64) -> Result<TargetValues, E> {
-        Ok(TargetValues::Everywhere(number))
-    }
-
-    fn visit_i64<E>(self, number: i64) -> Result<TargetValues, E> {
-        Ok(TargetValues::Everywhere(number as f64))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<TargetValues, A::Error> {
+    fn list<D: Deserializer<'de>>(list: D) -> Result<Self, D::Error> {
         let (mut numbers, mut points) = (Vec::new(), Vec::new());
-        while let Some(entry) = entries.next_element()? {
+        for entry in Vec::deserialize(list)? {
             match entry {
                 Entry::Number(number) => numbers.push(number),
                 Entry::Point(point) => points.push(point),
             }
         }
         match (numbers.is_empty(), points.is_empty()) {
-            (_, true) => Ok(TargetValues::Each(numbers)),
-            (true, false) => Ok(TargetValues::Points(points)),
-            (false, false) => Err(de::Error::custom(
+            (_, true) => Ok(Self::Each(numbers)),
+            (true, false) => Ok(Self::Points(points)),
+            (false, false) => Err(D::Error::custom(
                 "a list has numbers for evenly spaced values of the drive, or points [drive, value], not both",
             )),
         }
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TargetValues, A::Error> {
-        CsvTable::deserialize(MapAccessDeserializer::new(map)).map(TargetValues::Csv)
+    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        CsvTable::deserialize(table).map(Self::Csv)
     }
 }
 
@@ -87,34 +72,24 @@ enum Entry {
 }
 
 impl<'de> Deserialize<'de> for Entry {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(EntryVisitor)
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
     }
 }
 
-struct EntryVisitor;
+impl<'de> Written<'de> for Entry {
+    const EXPECTED: &'static str = "a number, or a point [drive, value]";
 
-impl<'de> Visitor<'de> for EntryVisitor {
-    type Value = Entry;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, or a point [drive, value]")
+    fn number(number: f64) -> Option<Self> {
+        Some(Self::Number(number))
     }
 
-    fn visit_f64<E>(self, number: f64) -> Result<Entry, E> {
-        Ok(Entry::Number(number))
-    }
-
-    fn visit_i64<E>(self, number: i64) -> Result<Entry, E> {
-        Ok(Entry::Number(number as f64))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Entry, A::Error> {
-        let list = Vec::<f64>::deserialize(SeqAccessDeserializer::new(entries))?;
+    fn list<D: Deserializer<'de>>(list: D) -> Result<Self, D::Error> {
+        let list = Vec::<f64>::deserialize(list)?;
         let point = <[f64; 2]>::try_from(list.as_slice()).map_err(|_| {
             let count = list.len();
-            de::Error::custom(format!("a point is 2 numbers, [drive, value], not {count}"))
+            D::Error::custom(format!("a point is 2 numbers, [drive, value], not {count}"))
         });
-        point.map(Entry::Point)
+        point.map(Self::Point)
     }
 }

@@ -5,7 +5,6 @@ use std::str::FromStr;
 use crate::commands::bake::baking::variable::own_values;
 use crate::commands::bake::baking::{Baking, DIGITS, Variable};
 use crate::failure::Failure;
-use crate::file::Dimension;
 use crate::grid::doubt;
 use crate::mechanism::{CountedFrom, Description, Drive, ends};
 use crate::number::{number, rounded};
@@ -73,7 +72,7 @@ impl Baking<'_> {
     fn check_doubt(&self, along: &Variable, stated: [f64; 2]) -> Result<(), Failure> {
         let Description { names, unit, .. } = &**self.mechanism;
         let Drive { name, kind } = &names.drives[along.drive];
-        let design = self.mechanism.design[along.drive] * Dimension::from(*kind).file_factor(*unit);
+        let design = self.mechanism.design[along.drive] * unit.file_factor(*kind);
         let [from, to] = stated.map(|end| rounded(design + end, DIGITS));
         let way = format!("; for that range about the design write --drive {name}={from}:{to}");
         let range = (stated, self.mechanism.unit);
@@ -100,7 +99,7 @@ impl Baking<'_> {
         let [low, high] = ends(through).unwrap_or_default();
         let Description { names, unit, .. } = &**self.mechanism;
         let kind = names.drives[drive].kind;
-        let inside = |end: f64| end / Dimension::from(kind).file_factor(*unit);
+        let inside = |end: f64| end / unit.file_factor(kind);
         let [from, to] = requested.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
         if low == high && requested.range == [None, None] {

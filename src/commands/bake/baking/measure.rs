@@ -10,7 +10,6 @@ use crate::commands::bake::baking::curve::Within;
 use crate::commands::bake::baking::variable::own_values;
 use crate::commands::bake::baking::{Baking, Variable};
 use crate::failure::Failure;
-use crate::file::Dimension;
 
 /// A measure, its range, and the drive that it replaces.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,7 +65,10 @@ impl Baking<'_> {
             (wanted, _) => names.chosen_drive(wanted.as_deref()),
         };
         let drive = drive.map_err(|message| self.refuse(&message))?;
-        let per = Dimension::from(names.measures[measure].kind).file_factor(self.mechanism.unit);
+        let per = self
+            .mechanism
+            .unit
+            .file_factor(names.measures[measure].kind);
         let (range, offset) = (
             requested.range.map(|end| end / per),
             self.mechanism.measure_offsets[measure],

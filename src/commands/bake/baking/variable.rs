@@ -52,7 +52,7 @@ impl Baking<'_> {
             Some(measure) => self.mechanism.measure_offsets[measure],
             None => self.mechanism.drive_offsets[along.drive],
         };
-        (local + offset) * self.dimension(along).file_factor(self.mechanism.unit)
+        (local + offset) * self.mechanism.unit.file_factor(self.dimension(along))
     }
 
     /// Formats a local value with its unit.

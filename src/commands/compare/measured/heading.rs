@@ -65,7 +65,7 @@ impl Stated {
             named,
             unit,
             symbol: dimension.symbol(unit),
-            scale: dimension.conversion(own, unit) * dimension.file_factor(unit),
+            scale: dimension.conversion(own, unit) * unit.file_factor(dimension),
         }))
     }
 }

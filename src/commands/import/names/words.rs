@@ -46,10 +46,9 @@ impl Words {
         let mut normal = Vec::new();
         let mut rest = words.as_slice();
         while let [first, behind @ ..] = rest {
-            let counts = (1..=MOST_WORDS.min(rest.len())).rev();
-            let mut meanings = counts
-                .filter_map(|count| Some((count, self.meanings.get(&rest[..count].concat())?)));
-            match meanings.next() {
+            let mut counts = (1..=MOST_WORDS.min(rest.len())).rev();
+            let meaning = |count: usize| Some((count, self.meanings.get(&rest[..count].concat())?));
+            match counts.find_map(meaning) {
                 Some((count, meaning)) => {
                     normal.extend(meaning.iter().map(String::as_str));
                     rest = &rest[count..];

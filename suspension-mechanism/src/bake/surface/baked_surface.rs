@@ -44,10 +44,9 @@ impl BakedSurface {
         for patch in &mut self.patches {
             for (output, coefficients) in self.outputs.iter().zip(patch) {
                 if *output != Output::SpinAxis {
-                    let constants = coefficients[0][0].iter_mut();
-                    constants
-                        .zip(origin)
-                        .for_each(|(constant, origin)| *constant += origin);
+                    for (constant, origin) in coefficients[0][0].iter_mut().zip(origin) {
+                        *constant += origin;
+                    }
                 }
             }
         }

@@ -2,7 +2,6 @@
 
 use nalgebra::DMatrix;
 
-use crate::file::Dimension;
 use crate::mechanism::description::Description;
 
 /// An axis of a grid.
@@ -55,7 +54,7 @@ impl GridAxis {
         let first = drives.first();
         let scale = first.map_or(1.0, |(drive, _)| {
             let kind = mechanism.names.drives[*drive].kind;
-            Dimension::from(kind).file_factor(mechanism.unit)
+            mechanism.unit.file_factor(kind)
         });
         Ok(Self {
             drives,

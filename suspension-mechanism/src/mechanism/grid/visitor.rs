@@ -109,8 +109,9 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                 return;
             }
             if !self.is_one_assembly(*place) {
-                ways.iter()
-                    .for_each(|[_, place]| self.positions[*place] = None);
+                for [_, place] in ways {
+                    self.positions[place] = None;
+                }
                 return;
             }
         }

@@ -47,7 +47,7 @@ impl EndOfAngle {
         const DIGITS: usize = 6;
         let drive = &names.drives[self.drive];
         let dimension = Dimension::from(drive.kind);
-        let end = rounded(self.end * dimension.file_factor(unit), DIGITS);
+        let end = rounded(self.end * unit.file_factor(dimension), DIGITS);
         let (name, symbol) = (&drive.name, dimension.symbol(unit));
         let remedy = match drive.kind {
             DriveKind::Angle => {

@@ -32,8 +32,8 @@ pub(crate) fn turning_drive<L: Suspension<N>, const N: usize>(
     };
     let turns_there = |index: usize, value: f64, increasing: bool| {
         let curve = Curve::new(model, inputs, index)?;
-        let path = settings.path(curve, position, increasing).ok()?;
-        let turning = path.filter_map(|stretch| stretch.ok()?.turning).next()?;
+        let mut path = settings.path(curve, position, increasing).ok()?;
+        let turning = path.find_map(|stretch| stretch.ok()?.turning)?;
         (!turning.is_end_of_angle && is_near(value, turning.place.value)).then_some(())
     };
     let leads = leads(model, inputs, position);

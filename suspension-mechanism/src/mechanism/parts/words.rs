@@ -31,7 +31,7 @@ pub fn quoted<T: Display>(names: impl IntoIterator<Item = T>) -> String {
 /// A length or an angle in the unit of a file, such as `0.7 rad`.
 pub(crate) fn value_in_words(value: f64, dimension: impl Into<Dimension>, unit: Unit) -> String {
     let dimension = dimension.into();
-    let value = number(without_rounding(value * dimension.file_factor(unit)));
+    let value = number(without_rounding(value * unit.file_factor(dimension)));
     format!("{value} {}", dimension.symbol(unit))
 }
 

@@ -3,7 +3,7 @@
 use suspension_core::Values;
 use toml::Spanned;
 
-use crate::file::{Dimension, StatedLaw};
+use crate::file::StatedLaw;
 use crate::mechanism::{
     CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, ends, evenly_spaced, extent,
 };
@@ -33,7 +33,7 @@ pub(in crate::prepare) fn doubts<L: Suspension<N>, const N: usize>(
     let doubts = drives.filter_map(|(index, drive)| {
         let ends = ends(values.iter().map(|values| values[index]))?;
         let (name, design) = (&drive.name, designed[index]);
-        let in_file = design * Dimension::from(drive.kind).file_factor(unit);
+        let in_file = design * unit.file_factor(drive.kind);
         let in_file = rounded(in_file, 6);
         let way = match stated.get(name.as_str()).map(Spanned::get_ref) {
             Some(StatedLaw::Sine(_)) => format!("; write mean = {in_file}"),

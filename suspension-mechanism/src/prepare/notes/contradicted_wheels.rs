@@ -143,12 +143,12 @@ fn drive_torque(task: &Task<'_>, couplings: &[Coupling]) -> Option<String> {
     if vehicle.drive_share.is_none() || vehicle.drive_torque.is_some() {
         return None;
     }
-    let wheels = task.names.wheels.iter().zip(couplings);
+    let mut wheels = task.names.wheels.iter().zip(couplings);
     let driven = |(wheel, coupling): (&Wheel, &Coupling)| {
         let is_on_one = wheel.drive_torque == Torque::Carrier;
         (wheel.drive_share.is_some() && (is_on_one || coupling.is_coupled())).then_some(is_on_one)
     };
-    let note = if wheels.filter_map(driven).next()? {
+    let note = if wheels.find_map(driven)? {
         "one body carries both driven wheels, so it is assumed to contain the differential and to bear the torque of the drive; to \
          confirm this write drive_torque = \"carrier\" under [vehicle]; for a de Dion axle write \"chassis\""
     } else {

@@ -7,7 +7,7 @@ use crate::file::{PerWheel, VehicleTable};
 use crate::mechanism::{Axle, Torque, Wheel};
 use crate::number::number;
 use crate::prepare::task::Task;
-use crate::prepare::vehicle::per_wheel::{Stated, checked, for_each_wheel};
+use crate::prepare::vehicle::per_wheel::{checked, for_each_wheel};
 
 /// Sets the axle of each wheel, from its name if the file does not state it, and its shares of the forces, if the file
 /// describes a car.
@@ -35,8 +35,8 @@ pub(super) fn car(
         if !is_described {
             continue;
         }
-        wheel.brake_share = share(task, "brake_share", brake)?;
-        wheel.drive_share = share(task, "drive_share", drive)?;
+        wheel.brake_share = share(task, "brake_share", brake.as_ref())?;
+        wheel.drive_share = share(task, "drive_share", drive.as_ref())?;
         let lacks_axle = needs_axle && wheel.axle.is_none();
         if let Some(missing) = what_is_missing(stated, lacks_axle) {
             return Err(refuse(incomplete(missing)));
@@ -101,8 +101,8 @@ pub(super) fn torques(
         } else {
             Torque::Chassis
         };
-        wheel.brake_torque = brake.map_or(Torque::Carrier, |(torque, _)| torque);
-        wheel.drive_torque = drive.map_or(usual, |(torque, _)| torque);
+        wheel.brake_torque = brake.map_or(Torque::Carrier, Spanned::into_inner);
+        wheel.drive_torque = drive.map_or(usual, Spanned::into_inner);
     }
     Ok(())
 }
@@ -135,7 +135,11 @@ fn check_sum(
 }
 
 /// A part of a whole.
-fn share(task: &Task<'_>, name: &str, stated: Stated<f64>) -> Result<Option<f64>, Failure> {
+fn share(
+    task: &Task<'_>,
+    name: &str,
+    stated: Option<&Spanned<f64>>,
+) -> Result<Option<f64>, Failure> {
     checked(
         task,
         stated,

@@ -77,9 +77,8 @@ impl Reader<'_> {
             (Some(link), _) if link.kind == Kind::LINK => {
                 refuse(format!("`{part}` is a link: write only its mass, in kg"))
             }
-            (Some(_), _) => Err(self.unknown(name)),
             (None, MassTable::Alone(mass)) => Ok(Mass::At(self.point(name)?, *mass)),
-            (None, MassTable::OfBody(_)) => Err(self.unknown(name)),
+            _ => Err(self.unknown(name)),
         }
     }
 

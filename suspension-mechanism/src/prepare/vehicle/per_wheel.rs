@@ -1,7 +1,5 @@
 //! The wheel data of a motion file, read and checked.
 
-use std::ops::Range;
-
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
@@ -9,9 +7,6 @@ use crate::failure::Failure;
 use crate::file::PerWheel;
 use crate::mechanism::{Wheel, is_within};
 use crate::prepare::task::Task;
-
-/// A statement, with its place in the file.
-pub(in crate::prepare) type Stated<T> = Option<(T, Range<usize>)>;
 
 /// Whether a file states something of a wheel.
 pub(in crate::prepare) fn is_stated<T>(
@@ -27,12 +22,15 @@ pub(super) fn for_each_wheel<T: Clone>(
     task: &Task<'_>,
     wheels: &[Wheel],
     stated: &Option<Spanned<PerWheel<T>>>,
-) -> Result<Vec<Stated<T>>, Failure> {
+) -> Result<Vec<Option<Spanned<T>>>, Failure> {
     let Some(stated) = stated else {
         return Ok(vec![None; wheels.len()]);
     };
     let of_some = match stated.get_ref() {
-        PerWheel::All(all) => return Ok(vec![Some((all.clone(), stated.span())); wheels.len()]),
+        PerWheel::All(all) => {
+            let of_all = Spanned::new(stated.span(), all.clone());
+            return Ok(vec![Some(of_all); wheels.len()]);
+        }
         PerWheel::Of(some) => some,
     };
     let names: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
@@ -53,7 +51,7 @@ pub(super) fn for_each_wheel<T: Clone>(
             .iter()
             .filter(|(key, _)| is_within(key.get_ref(), name));
         let longest = within.max_by_key(|(key, _)| key.get_ref().split('_').count());
-        longest.map(|(_, value)| (value.get_ref().clone(), value.span()))
+        longest.map(|(_, value)| value.clone())
     };
     Ok(names.iter().map(of_wheel).collect())
 }
@@ -63,18 +61,6 @@ pub(in crate::prepare) fn length(
     task: &Task<'_>,
     name: &str,
     stated: Option<&Spanned<f64>>,
-) -> Result<Option<f64>, Failure> {
-    checked_length(
-        task,
-        name,
-        stated.map(|stated| (*stated.get_ref(), stated.span())),
-    )
-}
-
-pub(super) fn checked_length(
-    task: &Task<'_>,
-    name: &str,
-    stated: Stated<f64>,
 ) -> Result<Option<f64>, Failure> {
     checked(task, stated, is_positive, || {
         format!("{name} is not a positive finite number; give it in the unit of the file")
@@ -87,12 +73,14 @@ pub(in crate::prepare) fn is_positive(number: f64) -> bool {
 
 pub(in crate::prepare) fn checked(
     task: &Task<'_>,
-    stated: Stated<f64>,
+    stated: Option<&Spanned<f64>>,
     will_do: impl Fn(f64) -> bool,
     message: impl Fn() -> String,
 ) -> Result<Option<f64>, Failure> {
     match stated {
-        Some((number, place)) if !will_do(number) => Err(task.source.refuse(&place, message())),
-        _ => Ok(stated.map(|(number, _)| number)),
+        Some(stated) if !will_do(*stated.get_ref()) => {
+            Err(task.source.refuse(&stated.span(), message()))
+        }
+        _ => Ok(stated.map(|stated| *stated.get_ref())),
     }
 }

@@ -4,7 +4,6 @@ use suspension_listing::did_you_mean::unknown;
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::Dimension;
 use crate::mechanism::Spring;
 use crate::prepare::task::Task;
 
@@ -46,7 +45,7 @@ pub(crate) fn springs(
             name: name.clone(),
             measure,
             kind,
-            rate: rate * Dimension::from(kind).file_factor(unit),
+            rate: rate * unit.file_factor(kind),
             load,
             design: design[measure],
         })

@@ -91,8 +91,7 @@ impl Gear<'_> {
         if !self.is_of_angle {
             return length(task, self.key, Some(self.stated));
         }
-        let stated = Some((*self.stated.get_ref(), self.stated.span()));
-        let ratio = checked(task, stated, is_positive, || {
+        let ratio = checked(task, Some(self.stated), is_positive, || {
             format!(
                 "{BOX} is not a positive finite number; write the steering wheel's angle per angle of the pitman arm, for example 16.0"
             )
