@@ -1,5 +1,6 @@
 //! The program's notes on a file that runs.
 
+mod bars;
 mod doubtful;
 mod sides;
 mod steering;
