@@ -2,6 +2,7 @@
 
 mod bars;
 mod doubtful;
+mod driven;
 mod sides;
 mod steering;
 mod travel;

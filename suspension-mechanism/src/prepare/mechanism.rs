@@ -7,7 +7,7 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::LeadingMeasure;
 use crate::mechanism::{
-    Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension, Vehicle,
+    Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension, Vehicle,
 };
 use crate::prepare::assembled::{Assembled, Measured};
 use crate::prepare::column_names;
@@ -142,8 +142,7 @@ fn remarks<L: Suspension<N>, const N: usize>(
         notes.extend(neither_side::notes(task, listing, given));
         notes.extend(untwisted_bars::notes(names, design, listing));
     }
-    let couplings: Vec<Coupling> = names.wheels.iter().map(|wheel| wheel.coupling).collect();
-    notes.extend(contradicted_wheels::notes(task, design, &couplings));
+    notes.extend(contradicted_wheels::notes(task, design, names));
     notes.extend(missing_travel::note(task, names));
     if request.to != Start::Design {
         notes.extend(short_of_stop(task, request.instants));
