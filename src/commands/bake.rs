@@ -212,7 +212,7 @@ A baked drive that is an angle is in radians, whatever the file's unit of angles
 
 The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the places where polynomial and
 motion meet. The bound between these points assumes a smooth motion, as falling errors at the points indicate; it is not a proof.
-The header also has the errors of the derivatives.
+The header of a curve also has the errors of the derivatives.
 
 Outside its range a curve has no value: Rust returns an error that holds the nearest end, C returns 1. Near a turning point
 of the drive, positions change like a square root, which no polynomial follows: bake refuses the range and names one that is

@@ -199,6 +199,16 @@ impl Listing {
         self.places_of_lines(lines)
     }
 
+    /// The two lines of an angle that is measured between them, not about a third one: the points of each, by their indices.
+    pub fn measured_between(&self, measure: usize) -> Option<[[usize; 2]; 2]> {
+        match &self.system.measures.get(measure)?.quantity {
+            Quantity::Between { lines, about: None } => {
+                self.places_of_lines(lines.iter()).try_into().ok()
+            }
+            _ => None,
+        }
+    }
+
     /// The indices of the two points of each line.
     fn places_of_lines<'a>(&self, lines: impl Iterator<Item = &'a [Name; 2]>) -> Vec<[usize; 2]> {
         let places = lines

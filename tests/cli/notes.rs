@@ -1,6 +1,8 @@
 //! The program's notes on a file that runs.
 
+mod bars;
 mod doubtful;
+mod driven;
 mod sides;
 mod steering;
 mod travel;

@@ -17,7 +17,6 @@ use super::points::{FIXED, FREE};
 use super::role::{KINGPIN, WHEEL};
 use super::word::Word;
 use crate::errors::{self, Errors};
-use crate::kind::Kind;
 use crate::lexed::{is_punct, placed};
 use crate::listing::{Listing, Point};
 use crate::sides::Sides;
@@ -89,7 +88,7 @@ impl Mirror {
     ///
     /// # Errors
     ///
-    /// If there are none, or the listing already has one.
+    /// If there are none, and at each that the listing already has.
     pub(crate) fn points(&self, listing: &Listing) -> syn::Result<Vec<TokenStream>> {
         let fixed = listing.fixed.iter().map(|point| (FIXED.word, point));
         let free = listing.free.iter().map(|point| (FREE.word, point));
@@ -100,13 +99,14 @@ impl Mirror {
         if named.is_empty() && !listing.incomplete {
             return Err(nothing_named(&self.side));
         }
-        let is_image = |(name, _): &(&Ident, Kind)| {
-            let mut images = named.iter();
-            images.any(|(_, point)| self.exchanged(&point.named.name) == **name)
-        };
-        if let Some((name, _)) = listing.declared().find(is_image) {
-            return Err(stated_beside(name, &self.exchanged(name)));
+        let mut errors = Errors::default();
+        for (name, _) in listing.declared() {
+            let mut originals = named.iter().map(|(_, point)| &point.named.name);
+            if let Some(original) = originals.find(|point| self.exchanged(point) == *name) {
+                errors.push(stated_beside(name, original));
+            }
         }
+        errors.into_result()?;
         Ok(named
             .into_iter()
             .map(|(word, point)| self.declared(word, point))

@@ -7,7 +7,7 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::LeadingMeasure;
 use crate::mechanism::{
-    Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension, Vehicle,
+    Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension, Vehicle,
 };
 use crate::prepare::assembled::{Assembled, Measured};
 use crate::prepare::column_names;
@@ -15,7 +15,7 @@ use crate::prepare::design::Design;
 use crate::prepare::first_instant::{self, by_measure};
 use crate::prepare::notes::{
     contradicted_drives, contradicted_wheels, loose_markers, missing_travel, neither_side, notes,
-    one_sided_masses, short_of_stop, wrong_side,
+    one_sided_masses, short_of_stop, untwisted_bars, wrong_side,
 };
 use crate::prepare::task::{Request, Start, Task};
 use crate::prepare::vehicle::coupling::couplings;
@@ -140,9 +140,9 @@ fn remarks<L: Suspension<N>, const N: usize>(
         notes.extend(loose_markers(task, design, listing));
         notes.extend(one_sided_masses::note(task, listing));
         notes.extend(neither_side::notes(task, listing, given));
+        notes.extend(untwisted_bars::notes(names, design, listing));
     }
-    let couplings: Vec<Coupling> = names.wheels.iter().map(|wheel| wheel.coupling).collect();
-    notes.extend(contradicted_wheels::notes(task, design, &couplings));
+    notes.extend(contradicted_wheels::notes(task, design, names));
     notes.extend(missing_travel::note(task, names));
     if request.to != Start::Design {
         notes.extend(short_of_stop(task, request.instants));

@@ -8,6 +8,7 @@ pub(super) mod missing_travel;
 pub(super) mod neither_side;
 mod numbers;
 pub(super) mod one_sided_masses;
+pub(super) mod untwisted_bars;
 mod wheels;
 pub(super) mod wrong_side;
 

@@ -164,6 +164,25 @@ fn a_statement_that_repeats_an_image_is_the_only_mistake() {
     assert_eq!(messages, [expected]);
 }
 
+/// Each point that is an image's too gets one message.
+#[test]
+fn every_point_that_repeats_an_image_is_reported_once() {
+    let stated = "fixed: right_front at [0.2, -0.3, 0.2], right_rear at [-0.2, -0.3, 0.0];";
+    let mistakes = text::parse(&format!("{HALF}\n{stated}"), "axle", &NoIncludes)
+        .expect_err("stated beside their images")
+        .mistakes;
+    let messages: Vec<String> = mistakes
+        .into_iter()
+        .map(|mistake| mistake.message)
+        .collect();
+    let expected = ["front", "rear"].map(|place| {
+        format!(
+            "`mirror` makes `right_{place}`, as the image of `left_{place}`; remove it here, or give it another name"
+        )
+    });
+    assert_eq!(messages, expected);
+}
+
 /// Each statement that is an image's too gets one message, at its place, which says what makes the image.
 #[test]
 fn a_statement_that_repeats_an_image_names_the_original() {

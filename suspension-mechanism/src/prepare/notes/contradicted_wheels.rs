@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::Values;
 
 use crate::file::Torque;
-use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
+use crate::mechanism::{Axle, Names, Suspension, Wheel};
 use crate::number::{number, rounded};
 use crate::prepare::design::Design;
 use crate::prepare::task::Task;
@@ -17,15 +17,15 @@ const OFF: f64 = 0.05;
 /// How many times as far as its own wheel a crossed drive must move another.
 const FAR: f64 = 10.0;
 
-/// Notes on wheels, at the design; `couplings` are those of each.
+/// Notes on wheels, at the design; `names` has what the design says of each.
 pub(in crate::prepare) fn notes<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
-    couplings: &[Coupling],
+    names: &Names,
 ) -> Vec<String> {
     let points: Vec<_> = design.points.values().collect();
     let of_car = wheelbase(task, &points).into_iter();
-    let mut notes: Vec<String> = of_car.chain(drive_torque(task, couplings)).collect();
+    let mut notes: Vec<String> = of_car.chain(drive_torque(task, &names.wheels)).collect();
     let vehicle = task.file.vehicle.get_ref();
     let of_wheel = |wheel: &Wheel| {
         let travel = wheel.travel.filter(|_| is_stated(&vehicle.travel, wheel));
@@ -137,23 +137,32 @@ fn steered_alone<L: Suspension<N>, const N: usize>(
     ))
 }
 
-/// A note on what bears the torque of a driven axle whose wheels move each other, if the file leaves that open.
-fn drive_torque(task: &Task<'_>, couplings: &[Coupling]) -> Option<String> {
+/// A note on what bears the torque of a driven axle whose wheels move each other, or of a driven wheel in the middle, if the
+/// file leaves that open.
+fn drive_torque(task: &Task<'_>, wheels: &[Wheel]) -> Option<String> {
     let vehicle = task.file.vehicle.get_ref();
     if vehicle.drive_share.is_none() || vehicle.drive_torque.is_some() {
         return None;
     }
-    let mut wheels = task.names.wheels.iter().zip(couplings);
-    let driven = |(wheel, coupling): (&Wheel, &Coupling)| {
-        let is_on_one = wheel.drive_torque == Torque::Carrier;
-        (wheel.drive_share.is_some() && (is_on_one || coupling.is_coupled())).then_some(is_on_one)
+    let note = |wheel: &Wheel| {
+        wheel.drive_share?;
+        if wheel.drive_torque == Torque::Carrier {
+            Some(ON_ONE_BODY)
+        } else if wheel.coupling.is_coupled() {
+            Some(COUPLED)
+        } else {
+            wheel.is_in_middle.then_some(IN_THE_MIDDLE)
+        }
     };
-    let note = if wheels.find_map(driven)? {
-        "one body carries both driven wheels, so it is assumed to contain the differential and to bear the torque of the drive; to \
-         confirm this write drive_torque = \"carrier\" under [vehicle]; for a de Dion axle write \"chassis\""
-    } else {
-        "the driven wheels move each other, and the chassis is assumed to bear the torque of the drive, through shafts; to confirm this \
-         write drive_torque = \"chassis\" under [vehicle]; for a live axle with wheels on knuckles write \"carrier\""
-    };
-    Some(note.to_owned())
+    wheels.iter().find_map(note).map(str::to_owned)
 }
+
+const ON_ONE_BODY: &str = "one body carries both driven wheels, so it is assumed to contain the differential and to bear the torque of \
+     the drive; to confirm this write drive_torque = \"carrier\" under [vehicle]; for a de Dion axle write \"chassis\"";
+
+const COUPLED: &str = "the driven wheels move each other, and the chassis is assumed to bear the torque of the drive, through shafts; to \
+     confirm this write drive_torque = \"chassis\" under [vehicle]; for a live axle with wheels on knuckles write \"carrier\"";
+
+const IN_THE_MIDDLE: &str = "the driven wheel is in the middle, as of a motorcycle, and the chassis is assumed to bear the torque of the \
+     drive; to confirm this write drive_torque = \"chassis\" under [vehicle]; for a motor in the wheel, or a shaft with its gears on the swing \
+     arm, write \"carrier\"; a chain also pulls at the wheel: anti-squat with a chain follows from a load case, see docs/limits.md";
