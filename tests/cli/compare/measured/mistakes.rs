@@ -153,6 +153,20 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
     }
 }
 
+/// Recordings of ten minutes are read; what a table may take of memory is bounded.
+#[test]
+fn long_tables_are_read_up_to_a_million_lines() {
+    let table = "bump [mm],toe [deg]\n0,0\n".to_owned() + &"# idle\n".repeat(1 << 20) + "1,0\n";
+    assert!(table.len() > 7 << 20);
+    let (_folder, output) = beside(CORNER, &table, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let long = "bump [mm],toe [deg]\n".to_owned() + &"0,0\n".repeat(1_000_000);
+    let (_folder, output) = beside(CORNER, &long, &[]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = "m.csv: has more than 1000000 lines; leave out those that are not needed, as every second one\n";
+    assert_eq!(text(&output.stderr), expected);
+}
+
 /// A bar that turns about an axis along x, with a wheel at each end and one drive.
 const BAR: &str = "unit = \"m\"\nstatements = \"\"\"\nfixed: fore at [0.3, 0, 0.3], aft at [-0.3, 0, 0.3];\n\
                    free: left_hub at [0, 0.7, 0.3], right_hub at [0, -0.7, 0.3];\n\
