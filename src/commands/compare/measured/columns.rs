@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use suspension_core::listing::DriveKind;
 
 use super::heading::Stated;
+use super::rig_names::is_of_other_axle;
 use crate::characteristics::{Effect, usual_change};
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -41,18 +42,20 @@ impl KnownColumn {
         from: CountedFrom,
     ) -> Result<Vec<Self>, Failure> {
         let units = table.take_units();
-        let (mut known, mut left_out) = (Vec::new(), Vec::new());
+        let (mut known, mut left_out, mut of_other_axle) = (Vec::new(), Vec::new(), Vec::new());
         let headings = table.headings().into_iter().enumerate();
         for (column, heading) in headings.filter(|(_, heading)| !heading.is_empty()) {
             let below = units.get(column).map_or("", String::as_str);
             let stated = Stated::read(mechanism, heading, below);
             match stated.map_err(|message| table.refuse_heading(column, message))? {
                 Some(stated) => known.push((column, stated)),
-                None => left_out.push(format!("`{heading}`")),
+                None if is_of_other_axle(mechanism, heading) => of_other_axle.push(heading),
+                None => left_out.push(heading),
             }
         }
         check_once(table, &known)?;
-        tell_left_out(table.name(), &left_out);
+        tell_left_out(table.name(), OTHER_AXLE, &of_other_axle);
+        tell_left_out(table.name(), UNKNOWN, &left_out);
         let known = known.into_iter();
         known
             .map(|(column, stated)| Self::read(table, mechanism, (column, stated), from))
@@ -177,20 +180,29 @@ fn check_once(table: &MeasuredTable, known: &[(usize, Stated)]) -> Result<(), Fa
     })
 }
 
+/// Why a column is left out, and what to do.
+const UNKNOWN: [&str; 2] = [
+    "as the model knows no such names",
+    "suspension motion --help says what each quantity needs",
+];
+const OTHER_AXLE: [&str; 2] = [
+    "as the model is of the other axle",
+    "[vehicle] of the motion file states which one",
+];
+
 /// Names the columns that are left out.
-fn tell_left_out(table: &str, headings: &[String]) {
+fn tell_left_out(table: &str, [why, remedy]: [&str; 2], headings: &[&str]) {
     /// A table of sweep with derivatives has hundreds.
     const MOST: usize = 20;
-    let named = headings.iter().take(MOST).map(String::as_str);
+    let named = headings.iter().take(MOST);
+    let named = named.map(|heading| format!("`{heading}`"));
     let named = named.collect::<Vec<_>>().join(", ");
     let more = match headings.len().saturating_sub(MOST) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
     if !named.is_empty() {
-        let note = format!(
-            "left out, as the model knows no such names: {named}{more}; suspension motion --help says what each quantity needs"
-        );
+        let note = format!("left out, {why}: {named}{more}; {remedy}");
         print_notes_on(table, [note]);
     }
 }
