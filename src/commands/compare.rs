@@ -72,6 +72,11 @@ impl Arguments {
             Source::read
         };
         let [a, b] = [Source::read(&self.a)?, read(&self.b)?];
+        if measured::is_table(&self.a) && !is_table {
+            let [table, model] = [a.name(), b.name()];
+            let message = format!("the table comes second: suspension compare {model} {table}");
+            return Err(Failure::input(table, message));
+        }
         let first = load(&a)?;
         let refuse = |message: &str| Err(Failure::input(b.name(), message));
         let second = match is_table {

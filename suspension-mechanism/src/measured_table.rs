@@ -49,8 +49,27 @@ impl MeasuredTable {
             headings,
             lines,
         };
+        table.check_separated()?;
         table.check_lengths()?;
         Ok(table)
+    }
+
+    /// Refuses numbers that only blanks separate, which would be read as one field.
+    fn check_separated(&self) -> Result<(), Failure> {
+        let is_number = |word: &str| self.decimals.number(word).is_some();
+        let is_several = |field: &str| {
+            let mut words = field.split_whitespace();
+            words.clone().count() > 1 && words.all(is_number)
+        };
+        let first = |line: &StringRecord| line.get(0).is_some_and(is_several);
+        match self.lines.iter().position(first) {
+            Some(line) if self.headings.len() == 1 => {
+                let message = "several numbers in one field; separate fields by commas, semicolons or tabs, in the line of headings \
+                               too";
+                Err(self.refuse_number(line, 0, message))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Refuses decimal commas between commas, which would be read as fields of their own.

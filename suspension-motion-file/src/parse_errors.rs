@@ -81,7 +81,10 @@ const LIST: &str = "; several numbers are written [0.1, 0.2, 0.3]";
 
 /// Says what is wrong with a value that begins like a number: a comma that is missing, as in `[0.1 0.2]`, or other signs.
 fn mistaken_number(text: &str, start: usize) -> Option<String> {
-    let value = text.get(start..)?.split([',', ']', '}', '\n', '#']).next()?;
+    let value = text
+        .get(start..)?
+        .split([',', ']', '}', '\n', '#'])
+        .next()?;
     let value = value.trim();
     let begins = value.trim_start_matches(['+', '-', '.', ' ']);
     if !begins.starts_with(|letter: char| letter.is_ascii_digit()) {

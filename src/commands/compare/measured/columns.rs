@@ -5,16 +5,16 @@ use std::f64::consts::PI;
 
 use suspension_core::listing::DriveKind;
 
+use super::doubts::{doubt, doubt_of_travel};
 use super::heading::Stated;
 use super::rig_names::is_of_other_axle;
 use crate::characteristics::{Effect, usual_change};
 use crate::failure::Failure;
 use crate::file::Dimension;
-use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{CountedFrom, Description, ends};
-use crate::number::{number, without_rounding};
+use crate::number::without_rounding;
 use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
@@ -217,43 +217,4 @@ fn at_design(mechanism: &Description, stated: &Stated) -> Result<f64, String> {
             stated.named.title
         )),
     }
-}
-
-fn doubt(
-    mechanism: &dyn Kinematics,
-    stated: &Stated,
-    numbers: &[f64],
-    from: CountedFrom,
-) -> Option<String> {
-    /// The most that a rig lets a drive move which it holds away from the design position, as a part of the distance: such a
-    /// small motion tells nothing of the unit.
-    const HELD: f64 = 0.05;
-    let (drive, _) = *stated.named.drives.first()?;
-    let [least, greatest] = ends(numbers.iter().copied())?;
-    let is_small = greatest - least < HELD * least.abs().max(greatest.abs());
-    let is_held = from == CountedFrom::Start && is_small;
-    let ends = [if is_held { greatest } else { least }, greatest];
-    doubt_of_option(mechanism, drive, (ends, stated.unit), from)
-}
-
-/// Returns a sentence if numbers of wheel travel seem to be heights of the wheel centre.
-fn doubt_of_travel(mechanism: &Description, stated: &Stated, numbers: &[f64]) -> Option<String> {
-    /// Heights are above this part of that at the design position: no wheel falls so far.
-    const LEAST: f64 = 0.4;
-    let named = &stated.named;
-    let travel = named.quantity.as_ref();
-    let travel = travel.filter(|quantity| quantity.is(&WHEEL_TRAVEL))?;
-    let name = travel.wheel.as_deref().unwrap_or_default();
-    let mut wheels = mechanism.names.wheels.iter();
-    let [_, centre] = wheels.find(|wheel| wheel.name == name)?.design?;
-    let height = mechanism.axes.turned(centre + mechanism.origin).z * stated.scale;
-    let [least, greatest] = ends(numbers.iter().copied())?;
-    let are_heights = least > LEAST * height && (least..=greatest).contains(&height);
-    are_heights.then(|| {
-        let (title, height, symbol) = (&named.title, number(height), &stated.symbol);
-        format!(
-            "`{title}` counts from the design position, and its numbers look like heights of the wheel centre, which is {height} \
-             {symbol} there: subtract {height} {symbol} from them"
-        )
-    })
 }
