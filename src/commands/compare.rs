@@ -65,10 +65,21 @@ impl Arguments {
     ///
     /// See [`Failure`]. If a mechanism locks within the travel, its curves end there, and the command compares what remains.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
+        let is_table = measured::is_table(&self.b);
+        let read = if is_table {
+            Source::read_table
+        } else {
+            Source::read
+        };
+        let [a, b] = [Source::read(&self.a)?, read(&self.b)?];
+        if measured::is_table(&self.a) && !is_table {
+            let [table, model] = [a.name(), b.name()];
+            let message = format!("the table comes second: suspension compare {model} {table}");
+            return Err(Failure::input(table, message));
+        }
         let first = load(&a)?;
         let refuse = |message: &str| Err(Failure::input(b.name(), message));
-        let second = match measured::is_table(&self.b) {
+        let second = match is_table {
             true if self.travel.is_some() || self.steer.is_some() => {
                 return refuse("the table states the places; leave --travel and --steer out");
             }

@@ -217,7 +217,8 @@ with angle = \"deg\" angles are in degrees. The numbers below are for a file in 
 
 Measured points are pairs of a change of the drive from the design position and the number there, in any order and with any
 spacing, in the units of the file; those within the range under over count. They are stated as a list or in a CSV file, whose
-first line has headings; columns are the headings of the drive's column and of the number's:
+first line has headings, perhaps with a line of units below it; columns are the headings of the drive's column and of the
+number's:
 
   value = [[-0.052, 0.0021], [-0.017, 0.0008], [0.049, -0.0019]]
   value = { csv = \"measured.csv\", columns = [\"travel\", \"toe\"] }

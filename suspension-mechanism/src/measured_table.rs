@@ -5,12 +5,12 @@ pub mod units;
 
 use std::iter;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
 
 use crate::decimals::Decimals;
 use crate::failure::Failure;
 use crate::file::Source;
-use lines::{content, has_several, separator, unquoted};
+use lines::{content, has_several, records, separator, unquoted};
 
 /// A table whose numbers are read column by column.
 #[derive(Clone, Debug)]
@@ -28,22 +28,13 @@ impl MeasuredTable {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the text has no line of headings, and at a field beyond the last heading.
+    /// [`Failure::Input`] if the text has no line of headings, or more than a million lines, and at a field beyond the last
+    /// heading.
     pub fn new(file: &Source) -> Result<Self, Failure> {
         // The mark with which spreadsheets begin a file is not part of its first heading.
         let source = Source::new(file.name(), file.text().trim_start_matches('\u{feff}'));
         let separator = separator(source.text());
-        let mut reader = ReaderBuilder::new()
-            .delimiter(separator)
-            .trim(Trim::All)
-            .comment(Some(b'#'))
-            .has_headers(false)
-            .flexible(true)
-            .from_reader(source.text().as_bytes());
-        let unread = |error: csv::Error| source.refuse(&(0..0), error);
-        let lines = reader.records().collect::<Result<Vec<_>, _>>();
-        let mut lines = lines.map_err(unread)?;
-        lines.retain(|line| line.iter().any(|field| !field.is_empty()));
+        let mut lines = records(&source, separator)?;
         let first = lines.iter().position(|line| has_several(line.iter()));
         lines.drain(..first.unwrap_or_default());
         if lines.is_empty() {
@@ -58,8 +49,27 @@ impl MeasuredTable {
             headings,
             lines,
         };
+        table.check_separated()?;
         table.check_lengths()?;
         Ok(table)
+    }
+
+    /// Refuses numbers that only blanks separate, which would be read as one field.
+    fn check_separated(&self) -> Result<(), Failure> {
+        let is_number = |word: &str| self.decimals.number(word).is_some();
+        let is_several = |field: &str| {
+            let mut words = field.split_whitespace();
+            words.clone().count() > 1 && words.all(is_number)
+        };
+        let first = |line: &StringRecord| line.get(0).is_some_and(is_several);
+        match self.lines.iter().position(first) {
+            Some(line) if self.headings.len() == 1 => {
+                let message = "several numbers in one field; separate fields by commas, semicolons or tabs, in the line of headings \
+                               too";
+                Err(self.refuse_number(line, 0, message))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Refuses decimal commas between commas, which would be read as fields of their own.
@@ -184,6 +194,13 @@ impl MeasuredTable {
     /// The number of a line in the file, from one, as failures state it; the argument counts from zero below the headings.
     pub fn line_in_file(&self, line: usize) -> u64 {
         self.line_of(&self.lines[line])
+    }
+
+    /// The first line below the headings that has a field, by its number in the file.
+    pub(crate) fn line_with(&self, wanted: &str) -> Option<u64> {
+        let mut lines = self.lines.iter();
+        let line = lines.find(|line| line.iter().any(|field| field == wanted))?;
+        Some(self.line_of(line))
     }
 
     fn line_of(&self, record: &StringRecord) -> u64 {

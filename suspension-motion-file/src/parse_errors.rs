@@ -17,7 +17,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     if message.starts_with("string values must be quoted")
         && let Some(mistake) = mistaken_number(source.text(), start)
     {
-        return mistake + LIST;
+        return mistake;
     }
     let message = message.trim_end().replace('\n', ", ");
     let message = message.replace("expected f64", "expected a number");
@@ -41,12 +41,20 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
     let name = quoted.next().unwrap_or_default();
     let rest = source.text().get(start..).unwrap_or_default();
     if message.starts_with("unknown field") {
-        match place_among_keys(name) {
-            Some(place) => format!("; {name} belongs {place}"),
-            None => did_you_mean(name, quoted),
+        match (joined(name, source.text(), start), place_among_keys(name)) {
+            (Some(joined), _) if quoted.clone().eq(["force", "moment"]) => {
+                format!("; a part of a named wheel or side is written {joined}")
+            }
+            (_, Some(place)) => format!("; {name} belongs {place}"),
+            (_, None) => did_you_mean(name, quoted),
         }
     } else if message.starts_with("unknown word") {
-        did_you_mean(name, quoted)
+        match symbol_meant(name).filter(|symbol| quoted.clone().any(|known| known == *symbol)) {
+            Some(symbol) => format!("; write \"{symbol}\""),
+            None => did_you_mean(name, quoted),
+        }
+    } else if let Some(number) = number_in_quotes(message) {
+        format!("; write {number} without quotes")
     } else if is_comma_between_digits(source.text(), start) {
         "; a decimal separator is a point, as in 0.5".to_owned()
     } else if message.starts_with("unexpected key or value") && rest.starts_with(',') {
@@ -61,12 +69,22 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
     }
 }
 
+/// Returns a name that begins at `start` with the one before it and its point, `left.contact`, as one name.
+fn joined(name: &str, text: &str, start: usize) -> Option<String> {
+    let before = text.get(..start)?.strip_suffix('.')?;
+    let is_end = |letter: char| !letter.is_alphanumeric() && letter != '_';
+    Some(format!("{}_{name}", before.rsplit(is_end).next()?))
+}
+
 /// How several numbers are written.
 const LIST: &str = "; several numbers are written [0.1, 0.2, 0.3]";
 
 /// Says what is wrong with a value that begins like a number: a comma that is missing, as in `[0.1 0.2]`, or other signs.
 fn mistaken_number(text: &str, start: usize) -> Option<String> {
-    let value = text.get(start..)?.split([',', ']', '\n', '#']).next()?;
+    let value = text
+        .get(start..)?
+        .split([',', ']', '}', '\n', '#'])
+        .next()?;
     let value = value.trim();
     let begins = value.trim_start_matches(['+', '-', '.', ' ']);
     if !begins.starts_with(|letter: char| letter.is_ascii_digit()) {
@@ -74,10 +92,33 @@ fn mistaken_number(text: &str, start: usize) -> Option<String> {
     }
     let mut words = value.split_whitespace();
     let is_number = |word: &str| word.parse::<f64>().is_ok();
-    Some(match words.clone().next() {
-        Some(first) if words.all(is_number) => format!("a comma is missing behind {first}"),
-        _ => format!("`{value}` is no number"),
+    Some(match words.clone().collect::<Vec<_>>()[..] {
+        [first, ..] if words.all(is_number) => format!("a comma is missing behind {first}{LIST}"),
+        [first, unit] if is_number(first) && unit.chars().all(char::is_alphabetic) => {
+            format!("`{value}` is no number; write {first} without the unit")
+        }
+        _ => format!("`{value}` is no number{LIST}"),
     })
+}
+
+/// Returns the number that stands in quotes where one is expected.
+fn number_in_quotes(message: &str) -> Option<&str> {
+    let text = message.strip_prefix("invalid type: string \"")?;
+    let (text, expected) = text.split_once('"')?;
+    let is_number = expected.starts_with(", expected a number") && text.parse::<f64>().is_ok();
+    is_number.then_some(text)
+}
+
+/// Returns the symbol of a unit that is written as a word.
+fn symbol_meant(word: &str) -> Option<&'static str> {
+    match word.to_lowercase().trim_end_matches('s') {
+        "meter" | "metre" => Some("m"),
+        "millimeter" | "millimetre" => Some("mm"),
+        "inch" | "inche" => Some("in"),
+        "degree" => Some("deg"),
+        "radian" => Some("rad"),
+        _ => None,
+    }
 }
 
 fn is_comma_between_digits(text: &str, start: usize) -> bool {
@@ -111,6 +152,9 @@ fn example_of_key(key: &str) -> &'static str {
         "by" => "; write the box, from the least to the greatest, as by = [-0.010, 0.010]",
         "of" => "; write the name of a quantity, as of = \"toe\"",
         "within" => "; write how far the target may be off, as within = 0.001",
+        "along" => {
+            "; write the name of the measure that the spring acts along, as along = \"damper\""
+        }
         "rate" => "; write it in N per unit of length, or for an angle in N m per unit of angle",
         "mean" => "; write the value about which the drive moves, as mean = 0.30",
         "amplitude" => "; write half of the distance between the ends, as amplitude = 0.05",

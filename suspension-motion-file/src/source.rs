@@ -24,6 +24,9 @@ const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
 /// memory.
 const LARGEST: usize = 4 << 20;
 
+/// That of tables of measurements: ten minutes of a dozen channels at 1 kHz are 60 MB.
+const LARGEST_TABLE: usize = 64 << 20;
+
 /// The most mistakes of a file that are reported at once.
 const MOST_MISTAKES: usize = 100;
 
@@ -49,10 +52,23 @@ impl Source {
     ///
     /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB, is a workbook, or is in another encoding.
     pub fn read(path: &Path) -> Result<Self, Failure> {
+        Self::read_up_to(LARGEST, path)
+    }
+
+    /// Reads a table of measurements, which may be as large as 64 MiB.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn read_table(path: &Path) -> Result<Self, Failure> {
+        Self::read_up_to(LARGEST_TABLE, path)
+    }
+
+    fn read_up_to(largest: usize, path: &Path) -> Result<Self, Failure> {
         let name = fit_for_terminal(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
         inputs::note(path);
-        let bytes = match read_at_most(path, LARGEST + 1) {
+        let bytes = match read_at_most(path, largest + 1) {
             Ok(bytes) => bytes,
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {
                 let message = format!("{name}: interrupted before it was read");
@@ -63,8 +79,8 @@ impl Source {
         // TOML is in UTF-8 by definition, and listings are read by the macro too.
         let mut extension = path.extension().into_iter();
         let is_table = !extension.any(|it| it == "toml" || it == "linkage");
-        if bytes.len() > LARGEST {
-            let size = LARGEST >> 20;
+        if bytes.len() > largest {
+            let size = largest >> 20;
             let remedy = if is_table {
                 "; leave out columns and lines that are not needed"
             } else {
@@ -102,10 +118,26 @@ impl Source {
     ///
     /// [`Failure::Input`] at the path if there is no such text.
     pub fn read_beside(&self, path: &Spanned<String>) -> Result<Self, Failure> {
-        Self::read(&self.beside(path.get_ref())).map_err(|failure| match failure {
+        let read = Self::read(&self.beside(path.get_ref()));
+        read.map_err(|failure| self.located(failure, path))
+    }
+
+    /// Reads a [table of measurements](Self::read_table) that this file names, with its path from the folder of this one.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the path if there is no such text.
+    pub fn read_table_beside(&self, path: &Spanned<String>) -> Result<Self, Failure> {
+        let read = Self::read_table(&self.beside(path.get_ref()));
+        read.map_err(|failure| self.located(failure, path))
+    }
+
+    /// Returns the failure to read a file with the place where this one names it.
+    fn located(&self, failure: Failure, path: &Spanned<String>) -> Failure {
+        match failure {
             Failure::Input(message) => self.refuse(&path.span(), message),
             other => other,
-        })
+        }
     }
 
     /// The text.

@@ -254,3 +254,23 @@ fn tables_of_two_wheels_are_separate_files() {
         assert!(path.exists(), "{output:?}");
     }
 }
+
+/// As on a motorcycle: no table says that the wheel is on the left, but for the signs.
+#[test]
+fn a_wheel_in_the_middle_has_no_side_in_words() {
+    let file = "unit = \"m\"\nstatements = \"\"\"\n\
+                fixed: near at [0.5, 0.1, 0.35], far at [0.5, -0.1, 0.35];\nfree: hub at [0.0, 0.0, 0.3];\n\
+                hinge arm: near, far -> hub;\npoint axle: arm at [0.0, -0.1, 0.3];\ndrive bump: hub.z;\n\
+                wheel: axle -> hub;\n\"\"\"\nvehicle = { wheel_radius = 0.3, axle = \"rear\" }\n\
+                time = { instants = [0.0] }\ndrives = { bump = 0.3 }\n";
+    for program in ["carsim", "carmaker"] {
+        let text = tables(file, &[program]);
+        let title = "# Kinematics of a, wheel in the middle, of a.toml, by";
+        assert!(text.contains(title), "{text}");
+        assert!(!text.contains("left wheel"), "{text}");
+    }
+    let carmaker = tables(file, &["carmaker"]);
+    let said = "## The side is that of the signs of ty, rx and rz: the form has none for a wheel in the middle\n\
+                SuspR.Kin.N = 1\n";
+    assert!(carmaker.contains(said), "{carmaker}");
+}

@@ -2,6 +2,7 @@
 
 mod columns;
 mod course;
+mod doubts;
 mod heading;
 mod measured_quantity;
 mod model_at_places;

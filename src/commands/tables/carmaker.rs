@@ -22,6 +22,9 @@ const LENGTHS: [(&str, &[&str]); 3] = [
 /// What the file says where the axle is not known.
 const ASSUMED: &str = "## SuspF is assumed: the file does not say which axle this is, as axle = \"rear\" under [vehicle] would\n";
 
+/// What the file says of a wheel in the middle.
+const NO_SIDE: &str = "## The side is that of the signs of ty, rx and rz: the form has none for a wheel in the middle\n";
+
 pub(super) fn text(
     file: &str,
     mechanism: &Description,
@@ -33,13 +36,14 @@ pub(super) fn text(
         Some(Axle::Rear) => ("SuspR", ""),
         None => ("SuspF", ASSUMED),
     };
-    let side = wheel.side_in_words();
+    let (place, side) = (wheel.in_words(), wheel.side_in_words());
+    let no_side = if wheel.is_in_middle { NO_SIDE } else { "" };
     let is_mirrored = opposite.is_none_or(|opposite| wheel.is_mirrored(opposite));
     let valid = if is_mirrored { "left+right" } else { side };
     let mut text = format!(
-        "## Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
+        "## Kinematics of {}, {place}, of {file}, by suspension {}\n\
          ## Each row: at the design position, per m of compression, {}; in m and rad\n\
-         {assumed}{axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = {valid}\n\
+         {assumed}{no_side}{axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = {valid}\n\
          {axle}.Kin.0.InputSide = {side}\n",
         mechanism.linkage,
         env!("CARGO_PKG_VERSION"),

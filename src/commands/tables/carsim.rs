@@ -29,9 +29,9 @@ const DIGITS: usize = 7;
 
 pub(super) fn text(file: &str, mechanism: &Description, wheel: &WheelMotion) -> String {
     let number = |value: f64| rounded(without_rounding(value), DIGITS);
-    let side = wheel.side_in_words();
+    let place = wheel.in_words();
     let mut text = format!(
-        "PARSFILE\n# Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
+        "PARSFILE\n# Kinematics of {}, {place}, of {file}, by suspension {}\n\
          # Over jounce, mm: changes from the design position, whose angles, deg, are\n\
          A_CAMBER {}\nA_TOE {}\n",
         mechanism.linkage,

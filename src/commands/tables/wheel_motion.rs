@@ -15,6 +15,8 @@ pub(super) struct WheelMotion {
     pub(super) name: String,
     /// 1 on the left, -1 on the right.
     pub(super) side: f64,
+    /// Whether it is on neither side, as on a motorcycle.
+    pub(super) is_in_middle: bool,
     /// The angle at the design position.
     pub(super) camber: f64,
     pub(super) toe: f64,
@@ -112,6 +114,14 @@ impl WheelMotion {
         if self.side < 0.0 { "right" } else { "left" }
     }
 
+    /// Returns the wheel with the word for its place.
+    pub(super) fn in_words(&self) -> String {
+        match self.is_in_middle {
+            true => "wheel in the middle".to_owned(),
+            false => format!("{} wheel", self.side_in_words()),
+        }
+    }
+
     /// Returns whether this is the mirrored wheel.
     pub(super) fn is_mirrored(&self, other: &Self) -> bool {
         let steered = match (&self.per_steer, &other.per_steer) {
@@ -164,6 +174,7 @@ impl WheelMotion {
         Some(Self {
             name: wheel.name.clone(),
             side: design.axis.y.signum(),
+            is_in_middle: wheel.is_in_middle,
             camber: without_rounding(camber(&design.axis)),
             about_x: without_rounding(about_x(&design.axis)),
             toe: without_rounding(toe(&design.axis)),

@@ -25,9 +25,10 @@ pub(super) use numbers::{length, short_of_stop};
 use numbers::{lengths, rates};
 use wheels::{diameter, named_side, notes_on_wheel};
 
-/// The limits of a suspension's size, in metres: the largest, and after it the smallest.
+/// The limits of a suspension's size, in metres: the largest, and after it the smallest of a corner and of an axle.
 const LARGEST: f64 = 10.0;
 const SMALLEST: f64 = 0.03;
+const SMALLEST_AXLE: f64 = 3.0 * SMALLEST;
 
 /// The distance of a guess from the assembled position, in metres, above which it looks like an intended change: the
 /// coordinates that Attia 2003 prints beside its lengths are 23 mm off.
@@ -113,7 +114,11 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     let apart = points.iter().map(apart).fold(0.0, f64::max);
     let unit = task.file.length;
     let other = Length::guess_from_size(apart);
-    if (SMALLEST..LARGEST).contains(&(apart / unit.metre())) || other == unit {
+    let smallest = match task.names.wheels.len() {
+        0 | 1 => SMALLEST,
+        _ => SMALLEST_AXLE,
+    };
+    if (smallest..LARGEST).contains(&(apart / unit.metre())) || other == unit {
         return None;
     }
     let (apart, unit) = (rounded(apart, 3), unit.symbol());

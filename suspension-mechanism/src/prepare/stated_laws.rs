@@ -5,11 +5,9 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{CsvTable, Dimension, Recording, StatedLaw};
-use crate::measured_table::MeasuredTable;
-use crate::measured_table::units::{name_and_symbol, usual_symbol};
 use crate::mechanism::{DriveLaws, Law, Sine, Spline};
 use crate::number::number;
-use crate::prepare::measured_points;
+use crate::prepare::measured_points::MeasuredPoints;
 use crate::prepare::task::Task;
 
 /// What a sum of time steps may be off, as a fraction of the motion's duration.
@@ -83,36 +81,13 @@ impl Task<'_> {
         recording: &Recording,
         dimension: Dimension,
     ) -> Result<Vec<[f64; 2]>, Failure> {
-        let (mut table, columns) =
-            measured_points::columns(self.source, &recording.table, OF_RECORDING)?;
-        let units = table.take_units();
-        let [times, values] = columns.map(|column| (column, &*units));
-        self.check_unit(&table, times, Dimension::Time, "convert the column")?;
+        let points = MeasuredPoints::find(self.source, &recording.table, OF_RECORDING)?;
+        points.check_unit(0, "s", "convert the column")?;
         if recording.factor.get_ref().abs() == 1.0 {
             let remedy = "state the factor between them, as factor = 0.001";
-            self.check_unit(&table, values, dimension, remedy)?;
+            points.check_unit(1, &dimension.symbol(self.file.unit()), remedy)?;
         }
-        measured_points::points(&table, columns)
-    }
-
-    /// Refuses a column that states another unit than the motion file's, in its heading or in the line of units.
-    fn check_unit(
-        &self,
-        table: &MeasuredTable,
-        (column, units): (usize, &[String]),
-        dimension: Dimension,
-        remedy: &str,
-    ) -> Result<(), Failure> {
-        let heading = table.headings()[column];
-        let below = units.get(column).map_or("", String::as_str);
-        let wanted = dimension.symbol(self.file.unit());
-        match stated_unit(heading, below) {
-            Some(stated) if stated != wanted => {
-                let message = format!("`{heading}` is in {stated}, not in {wanted}: {remedy}");
-                Err(table.refuse_heading(column, message))
-            }
-            _ => Ok(()),
-        }
+        points.numbers()
     }
 
     /// The curve through recorded points, which must cover the motion.
@@ -142,19 +117,4 @@ impl Task<'_> {
         }
         Ok(spline)
     }
-}
-
-/// Symbols that are units wherever a heading has them; others, such as `h` and `min`, may be part of a name.
-const UNITS: [&str; 11] = [
-    "s", "ms", "us", "\u{b5}s", "m", "mm", "cm", "in", "rad", "mrad", "deg",
-];
-
-/// The unit of a column according to its heading, as `travel [mm]` or `travel_mm`, or to the line `below` it.
-fn stated_unit(heading: &str, below: &str) -> Option<String> {
-    let symbol = match name_and_symbol(heading, below) {
-        // `steer_in` may be an input.
-        (name, "") => name.rsplit_once('_').filter(|(_, end)| *end != "in")?.1,
-        (_, symbol) => symbol,
-    };
-    Some(usual_symbol(symbol)).filter(|symbol| UNITS.contains(&symbol.as_str()))
 }

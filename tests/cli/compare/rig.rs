@@ -250,10 +250,15 @@ fn what_a_rig_measures_elsewhere_is_left_out() {
         "m.csv:1:33: there is no `steering_wheel_angle` of this mechanism: it needs rack_per_turn";
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
     let rear = axle().replace("wheel_radius = 0.3", "wheel_radius = 0.3, axle = \"rear\"");
-    let table = "Wheel travel RL [mm],Toe FL [deg],Toe RL [deg]\n0,0,0\n";
+    let table = "Wheel travel RL [mm],Toe FL [deg],Toe RL [deg],FR_camber [deg],ch4\n0,0,0,0,0\n";
     let (_folder, output) = beside(&rear, table, &[]);
-    let left_out = "knows no such names: `Toe FL [deg]`;";
-    assert!(text(&output.stderr).contains(left_out), "{output:?}");
+    for left_out in [
+        "m.csv: left out, as the model is of the other axle: `Toe FL [deg]`, `FR_camber [deg]`; [vehicle] of the motion file states \
+         which one\n",
+        "knows no such names: `ch4`;",
+    ] {
+        assert!(text(&output.stderr).contains(left_out), "{output:?}");
+    }
 }
 
 /// The order of words does not matter unless it tells two names apart.

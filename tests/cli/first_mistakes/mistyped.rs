@@ -35,6 +35,48 @@ fn for_a_mistyped_name_the_intended_one_is_suggested() {
 }
 
 #[test]
+fn for_units_and_numbers_in_other_spellings_the_right_one_is_written() {
+    for (from, to, expected) in [
+        (
+            "unit = \"m\"",
+            "unit = \"Metres\"",
+            "expected one of `m`, `mm`, `in`; write \"m\"",
+        ),
+        (
+            "unit = \"m\"",
+            "unit = \"inches\"",
+            "expected one of `m`, `mm`, `in`; write \"in\"",
+        ),
+        (
+            "unit = \"m\"",
+            "unit = \"m\"\nangle = \"degrees\"",
+            "expected `rad` or `deg`; write \"deg\"",
+        ),
+        (
+            "wheel_radius = 0.3",
+            "wheel_radius = \"0.3\"",
+            "expected a number or { front = number, rear = number }; write 0.3 without quotes",
+        ),
+        (
+            "wheel_radius = 0.3",
+            "wheel_radius = 300 mm",
+            "`300 mm` is no number; write 300 without the unit",
+        ),
+        (
+            "unit = \"m\"",
+            "unit = \"m\"\nsprings = { coil = { rate = 30000.0 } }",
+            "missing field `along`; write the name of the measure that the spring acts along, as along = \"damper\"",
+        ),
+    ] {
+        let message = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        assert!(
+            message.starts_with("a.toml:") && message.ends_with(expected),
+            "{message}"
+        );
+    }
+}
+
+#[test]
 fn for_a_mistyped_drive_of_an_option_the_intended_one_is_suggested() {
     for (command, options) in [
         ("sweep", ["--drive", "bumb=0:0.01:2"].as_slice()),

@@ -25,6 +25,36 @@ fn a_point_in_another_unit_is_reported_first_at_its_place() {
     assert_eq!(message.lines().count(), 2, "{message}");
 }
 
+/// An axle in inches is as large in mm as a small corner.
+#[test]
+fn an_axle_in_another_unit_is_noted() {
+    let folder = folder();
+    let listed = run(folder.path(), &["list", "live_axle_panhard"]);
+    let inches = in_inches(text(&listed.stdout));
+    std::fs::write(folder.path().join("a.linkage"), inches).expect("written");
+    let motion = "listing = \"a.linkage\"\nunit = \"mm\"\n[time]\ninstants = [0.0]\n[drives]\n\
+                  bump_left = 12.2\nbump_right = 12.2\n";
+    std::fs::write(folder.path().join("a.toml"), motion).expect("written");
+    let output = run(folder.path(), &["check", "a.toml"]);
+    let expected = "mm apart: is the file in inches? (unit = \"in\")";
+    assert!(text(&output.stdout).contains(expected), "{output:?}");
+}
+
+/// A listing in metres with its points in inches.
+fn in_inches(listing: &str) -> String {
+    let mut parts = listing.split('[');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| {
+        let (point, rest) = part.split_once(']').expect("a bracket");
+        let numbers = point.split(',').map(|number| {
+            let number: f64 = number.trim().parse().expect("a number");
+            format!("{:.4}", number / 0.0254)
+        });
+        let numbers = numbers.collect::<Vec<_>>().join(", ");
+        text + "[" + &numbers + "]" + rest
+    })
+}
+
 #[test]
 fn a_buildable_point_in_another_unit_is_noted() {
     let folder = folder();

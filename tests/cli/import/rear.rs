@@ -216,7 +216,7 @@ fn a_watt_linkage_is_found_by_the_names_of_its_links() {
 }
 
 /// Pairs of names in the table above and others of the same points.
-const WATT_NAMES: [&[[&str; 2]]; 8] = [
+const WATT_NAMES: [&[[&str; 2]]; 10] = [
     &[
         ["Left damper upper", "Left damper top"],
         ["Left damper lower", "Damper axle LH"],
@@ -238,6 +238,11 @@ const WATT_NAMES: [&[[&str; 2]]; 8] = [
         ["Watt bellcrank pivot", "Watt's crank pivot"],
     ],
     &[["Watt bellcrank", "Bellcrank"]],
+    &[["Upper link chassis", "Upper link front"]],
+    &[
+        ["Lower trailing link left chassis", "LH lower link front"],
+        ["Lower trailing link left axle", "LH lower link rear"],
+    ],
     &[
         [
             "Lower trailing link left chassis",
@@ -254,6 +259,28 @@ const WATT_NAMES: [&[[&str; 2]]; 8] = [
         ["Watt link left chassis", "Wattgestänge links Karosserie"],
     ],
 ];
+
+#[test]
+fn splayed_upper_links_are_found_by_the_names_of_their_ends() {
+    let names = [
+        ["left_front", "Left upper link chassis"],
+        ["left_rear", "Upper link left axle"],
+        ["right_front", "RH upper link front"],
+        ["right_rear", "Upper link rear R"],
+    ];
+    let folder = folder();
+    let points = listed("live_axle_splayed");
+    let rows = points.iter().map(|(name, [x, y, z])| {
+        let upper = name.strip_prefix("upper_");
+        let other = names.iter().find(|[end, _]| upper == Some(*end));
+        let name = other.map_or(name.as_str(), |[_, other]| other);
+        format!("{name}, {x}, {y}, {z}\n")
+    });
+    let table = format!("unit, m\n{}", rows.collect::<String>());
+    let imported = import(folder.path(), "a.csv", &table, &[]);
+    assert_eq!(imported.text("linkage"), "live_axle_splayed");
+    assert_eq!(imported.points(), points.into_iter().collect());
+}
 
 /// `Watt's` must not be the beginning of a quotation.
 #[test]

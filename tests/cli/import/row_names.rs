@@ -88,3 +88,42 @@ fn a_mistyped_optional_point_is_noted_with_a_suggestion() {
     let expected = "shock_to_chasis (did you mean shock_to_chassis?)";
     assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
+
+#[test]
+fn short_words_of_cad_exports_and_german_names_are_known() {
+    let folder = folder();
+    let known = import(folder.path(), "a.csv", &table(&CORNER), &[]).points();
+    for names in [
+        [
+            ("lca_front", "LCA CHMNT front"),
+            ("lca_outer", "lwr ball jt"),
+            ("uca_front", "UWBF"),
+            ("uca_outer", "UCA OB"),
+            ("tierod_inner", "Rack ball"),
+            ("tierod_outer", "tie rod OB"),
+            ("wheel_center", "wheel hub ctr"),
+            ("prod_outboard", "pushrod btm"),
+            ("prod_inboard", "pushrod IB"),
+        ],
+        [
+            ("lca_front", "Querlenker unten vorne innen"),
+            ("lca_outer", "Radführungsgelenk unten"),
+            ("uca_front", "Querlenker oben vorne"),
+            ("uca_outer", "Führungsgelenk oben"),
+            ("tierod_inner", "Spurstange innen"),
+            ("tierod_outer", "Spurhebel"),
+            ("wheel_center", "Radnabe Mitte"),
+            ("bellcrank_pivot", "Umlenkhebel Drehpunkt"),
+            ("bellcrank_axis", "Umlenkhebelachse"),
+        ],
+    ] {
+        let mut file = table(&CORNER);
+        for (name, other) in names {
+            assert!(file.contains(name), "{name}");
+            file = file.replace(name, other);
+        }
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(imported.points(), known, "{}", imported.notes);
+        assert!(!imported.notes.contains("not used"), "{}", imported.notes);
+    }
+}

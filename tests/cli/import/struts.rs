@@ -323,20 +323,20 @@ fn a_slipped_decimal_point_of_a_strut_is_noted() {
 
 #[test]
 fn german_names_of_a_strut_are_known() {
-    let strut = STRUT
-        .replace("strut top", "Domlager")
-        .replace("tie rod inner", "Spurstangengelenk innen");
-    let strut = strut
-        .replace("tie rod outer", "Spurstangengelenk außen")
-        .replace("units; m", "Alle Maße in m");
     let folder = folder();
-    let imported = import(folder.path(), "a.csv", &strut, &[]);
-    assert!(
-        imported
-            .notes
-            .contains("the unit of lengths is m, as the file says"),
-        "{}",
-        imported.notes
-    );
-    assert_eq!(imported.points()["top"], [-0.08294, 0.47253, 0.73718]);
+    for (top, ball) in [
+        ("Domlager", "Führungsgelenk"),
+        ("Stützlager", "Radführungsgelenk"),
+    ] {
+        let strut = STRUT
+            .replace("strut top", top)
+            .replace("lower ball joint", ball)
+            .replace("tie rod inner", "Spurstangengelenk innen")
+            .replace("tie rod outer", "Spurstangengelenk außen")
+            .replace("units; m", "Alle Maße in m");
+        let imported = import(folder.path(), "a.csv", &strut, &[]);
+        let said = "the unit of lengths is m, as the file says";
+        assert!(imported.notes.contains(said), "{}", imported.notes);
+        assert_eq!(imported.points()["top"], [-0.08294, 0.47253, 0.73718]);
+    }
 }

@@ -37,6 +37,14 @@ fn an_invalid_load_is_refused_at_its_place() {
             "unknown place `contakt`; loads act at contact, ",
         ),
         (
+            "[loads.a]\nleft.contact = [0.0, 0.0, 1.0]\n",
+            "unknown field `contact`; a part of a named wheel or side is written left_contact\n",
+        ),
+        (
+            "[loads.a]\ncontact = { force = [0.0, 0.0, 1.0], momnet = [0.0, 1.0, 0.0] }\n",
+            "unknown field `momnet`; did you mean `moment`?",
+        ),
+        (
             "[loads.a]\ncontact = [0.0, 1.0]\n",
             "3 numbers are wanted here, [x, y, z], not 2; a force is written contact",
         ),

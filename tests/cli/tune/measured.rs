@@ -38,10 +38,14 @@ fn measured_points_of_a_known_design_find_the_design() {
         "\u{feff}\"camber, left\";wheel;travel\r\n\r\n{}",
         lines.collect::<String>()
     );
-    std::fs::write(folder.path().join("measured.csv"), csv).expect("written");
+    std::fs::write(folder.path().join("measured.csv"), &csv).expect("written");
+    let with_units = csv.replacen("\r\n\r\n", "\r\n[\u{b0}];-;(m)\r\n", 1);
+    std::fs::write(folder.path().join("units.csv"), with_units).expect("written");
+    let columns = "columns = [\"travel\", \"camber, left\"]";
     for value in [
         format!("{points:?}"),
-        "{ csv = \"measured.csv\", columns = [\"travel\", \"camber, left\"] }".to_owned(),
+        format!("{{ csv = \"units.csv\", {columns} }}"),
+        format!("{{ csv = \"measured.csv\", {columns} }}"),
     ] {
         let output = met(
             folder.path(),
@@ -135,7 +139,28 @@ fn mistakes_in_measured_points_are_located() {
         (
             csv,
             "toe,travel\nmm,deg\n",
-            "measured.csv:2:4: `deg` in column `travel` is not a finite number",
+            "measured.csv:1:5: `travel` is in deg, not in m: convert the column",
+        ),
+        (
+            csv,
+            "travel [m],toe\n0,0\n",
+            "a.toml:16:44: unknown column of measured.csv: `travel`; known are travel [m], toe",
+        ),
+        (
+            "{ csv = \"measured.csv\", columns = [\"travel\", \"toe_rad\"] }",
+            "travel,toe_rad\n0,0\n",
+            "measured.csv:1:8: `toe_rad` is in rad, not in deg: convert the column",
+        ),
+        (
+            csv,
+            "travel,toe,gap,toe\n0,0,1,0\n",
+            "a.toml:16:54: columns 2 and 4 of measured.csv are both called `toe`; rename one",
+        ),
+        (
+            csv,
+            "Rig 17,front,,\n\ngap,travel,toe,load\n0,0,0,0\n",
+            "a.toml:16:44: `travel` is in line 3 of measured.csv, below the first line of several fields, which has the headings; \
+             begin the lines above it with #",
         ),
     ] {
         let folder = folder();

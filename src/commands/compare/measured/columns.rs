@@ -5,15 +5,16 @@ use std::f64::consts::PI;
 
 use suspension_core::listing::DriveKind;
 
+use super::doubts::{doubt, doubt_of_travel};
 use super::heading::Stated;
+use super::rig_names::is_of_other_axle;
 use crate::characteristics::{Effect, usual_change};
 use crate::failure::Failure;
 use crate::file::Dimension;
-use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{CountedFrom, Description, ends};
-use crate::number::{number, without_rounding};
+use crate::number::without_rounding;
 use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
@@ -41,18 +42,20 @@ impl KnownColumn {
         from: CountedFrom,
     ) -> Result<Vec<Self>, Failure> {
         let units = table.take_units();
-        let (mut known, mut left_out) = (Vec::new(), Vec::new());
+        let (mut known, mut left_out, mut of_other_axle) = (Vec::new(), Vec::new(), Vec::new());
         let headings = table.headings().into_iter().enumerate();
         for (column, heading) in headings.filter(|(_, heading)| !heading.is_empty()) {
             let below = units.get(column).map_or("", String::as_str);
             let stated = Stated::read(mechanism, heading, below);
             match stated.map_err(|message| table.refuse_heading(column, message))? {
                 Some(stated) => known.push((column, stated)),
-                None => left_out.push(format!("`{heading}`")),
+                None if is_of_other_axle(mechanism, heading) => of_other_axle.push(heading),
+                None => left_out.push(heading),
             }
         }
         check_once(table, &known)?;
-        tell_left_out(table.name(), &left_out);
+        tell_left_out(table.name(), OTHER_AXLE, &of_other_axle);
+        tell_left_out(table.name(), UNKNOWN, &left_out);
         let known = known.into_iter();
         known
             .map(|(column, stated)| Self::read(table, mechanism, (column, stated), from))
@@ -177,20 +180,29 @@ fn check_once(table: &MeasuredTable, known: &[(usize, Stated)]) -> Result<(), Fa
     })
 }
 
+/// Why a column is left out, and what to do.
+const UNKNOWN: [&str; 2] = [
+    "as the model knows no such names",
+    "suspension motion --help says what each quantity needs",
+];
+const OTHER_AXLE: [&str; 2] = [
+    "as the model is of the other axle",
+    "[vehicle] of the motion file states which one",
+];
+
 /// Names the columns that are left out.
-fn tell_left_out(table: &str, headings: &[String]) {
+fn tell_left_out(table: &str, [why, remedy]: [&str; 2], headings: &[&str]) {
     /// A table of sweep with derivatives has hundreds.
     const MOST: usize = 20;
-    let named = headings.iter().take(MOST).map(String::as_str);
+    let named = headings.iter().take(MOST);
+    let named = named.map(|heading| format!("`{heading}`"));
     let named = named.collect::<Vec<_>>().join(", ");
     let more = match headings.len().saturating_sub(MOST) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
     if !named.is_empty() {
-        let note = format!(
-            "left out, as the model knows no such names: {named}{more}; suspension motion --help says what each quantity needs"
-        );
+        let note = format!("left out, {why}: {named}{more}; {remedy}");
         print_notes_on(table, [note]);
     }
 }
@@ -205,43 +217,4 @@ fn at_design(mechanism: &Description, stated: &Stated) -> Result<f64, String> {
             stated.named.title
         )),
     }
-}
-
-fn doubt(
-    mechanism: &dyn Kinematics,
-    stated: &Stated,
-    numbers: &[f64],
-    from: CountedFrom,
-) -> Option<String> {
-    /// The most that a rig lets a drive move which it holds away from the design position, as a part of the distance: such a
-    /// small motion tells nothing of the unit.
-    const HELD: f64 = 0.05;
-    let (drive, _) = *stated.named.drives.first()?;
-    let [least, greatest] = ends(numbers.iter().copied())?;
-    let is_small = greatest - least < HELD * least.abs().max(greatest.abs());
-    let is_held = from == CountedFrom::Start && is_small;
-    let ends = [if is_held { greatest } else { least }, greatest];
-    doubt_of_option(mechanism, drive, (ends, stated.unit), from)
-}
-
-/// Returns a sentence if numbers of wheel travel seem to be heights of the wheel centre.
-fn doubt_of_travel(mechanism: &Description, stated: &Stated, numbers: &[f64]) -> Option<String> {
-    /// Heights are above this part of that at the design position: no wheel falls so far.
-    const LEAST: f64 = 0.4;
-    let named = &stated.named;
-    let travel = named.quantity.as_ref();
-    let travel = travel.filter(|quantity| quantity.is(&WHEEL_TRAVEL))?;
-    let name = travel.wheel.as_deref().unwrap_or_default();
-    let mut wheels = mechanism.names.wheels.iter();
-    let [_, centre] = wheels.find(|wheel| wheel.name == name)?.design?;
-    let height = mechanism.axes.turned(centre + mechanism.origin).z * stated.scale;
-    let [least, greatest] = ends(numbers.iter().copied())?;
-    let are_heights = least > LEAST * height && (least..=greatest).contains(&height);
-    are_heights.then(|| {
-        let (title, height, symbol) = (&named.title, number(height), &stated.symbol);
-        format!(
-            "`{title}` counts from the design position, and its numbers look like heights of the wheel centre, which is {height} \
-             {symbol} there: subtract {height} {symbol} from them"
-        )
-    })
 }

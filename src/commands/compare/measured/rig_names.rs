@@ -114,6 +114,15 @@ fn is_unsaid(mechanism: &Description, word: &str) -> bool {
     }
 }
 
+/// Whether a name is of the axle that the model does not have.
+pub(super) fn is_of_other_axle(mechanism: &Description, name: &str) -> bool {
+    let wheels = &mechanism.names.wheels;
+    let all_are = |axle| wheels.iter().all(|wheel| wheel.axle == Some(axle));
+    let name = in_own_words(mechanism, name);
+    let says = |end: &str| name.split('_').any(|word| word == end);
+    (says("front") && all_are(Axle::Rear)) || (says("rear") && all_are(Axle::Front))
+}
+
 /// The drive that moves a rack, if there is one alone.
 fn rack_drive(mechanism: &Description) -> Option<&str> {
     let names = &mechanism.names;

@@ -1,6 +1,6 @@
 //! Measured tables that are refused.
 
-use super::super::super::program::{CORNER, text};
+use super::super::super::program::{CORNER, run, text};
 use super::super::rig::axle;
 use super::beside;
 use super::several::in_heave_and_roll;
@@ -12,6 +12,11 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
             "",
             &[][..],
             "m.csv:1:1: the file is empty; it needs a line of headings",
+        ),
+        (
+            "# Rig 17\nwheel_travel toe\nmm deg\n0 0\n10 1\n",
+            &[],
+            "m.csv:4:1: several numbers in one field; separate fields by commas, semicolons or tabs, in the line of headings too",
         ),
         (
             "bump [mm],camer [deg]\n",
@@ -151,6 +156,43 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         let message = message.collect::<String>();
         assert!(message.starts_with(expected), "{expected}\n{message}");
     }
+}
+
+#[test]
+fn a_table_in_the_place_of_the_model_is_refused_with_the_order() {
+    let (folder, _) = beside(CORNER, "bump [mm],toe [deg]\n0,0\n", &[]);
+    let output = run(folder.path(), &["compare", "m.csv", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = "m.csv: the table comes second: suspension compare a.toml m.csv\n";
+    assert_eq!(text(&output.stderr), expected);
+}
+
+#[test]
+fn wheel_travel_in_mm_under_a_heading_in_m_is_noted() {
+    for (heading, is_noted) in [("m", true), ("in", true), ("mm", false)] {
+        let table = format!("wheel travel [{heading}],toe [deg]\n0,0\n50,1\n");
+        let (_folder, output) = beside(CORNER, &table, &[]);
+        let note = format!("note: m.csv: is `wheel travel` in mm? Its heading states {heading}\n");
+        assert_eq!(
+            text(&output.stderr).starts_with(&note),
+            is_noted,
+            "{output:?}"
+        );
+    }
+}
+
+/// Recordings of ten minutes are read; what a table may take of memory is bounded.
+#[test]
+fn long_tables_are_read_up_to_a_million_lines() {
+    let table = "bump [mm],toe [deg]\n0,0\n".to_owned() + &"# idle\n".repeat(1 << 20) + "1,0\n";
+    assert!(table.len() > 7 << 20);
+    let (_folder, output) = beside(CORNER, &table, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let long = "bump [mm],toe [deg]\n".to_owned() + &"0,0\n".repeat(1_000_000);
+    let (_folder, output) = beside(CORNER, &long, &[]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = "m.csv: has more than 1000000 lines; leave out those that are not needed, as every second one\n";
+    assert_eq!(text(&output.stderr), expected);
 }
 
 /// A bar that turns about an axis along x, with a wheel at each end and one drive.

@@ -5,26 +5,29 @@ use std::ops::Range;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{NumberList, TargetTable, TargetValues};
+use crate::file::{CsvTable, Dimension, NumberList, TargetTable, TargetValues};
 use crate::mechanism::{CountedFrom, Grid, GridAxis, ends, evenly_spaced};
 use crate::number::number;
 use crate::prepare::analyses::tuning::named_parts::Naming;
-use crate::prepare::measured_points;
-use crate::tune;
+use crate::prepare::measured_points::MeasuredPoints;
+use crate::tune::{self, Reading};
 
 /// The number of places along a drive if the file states one number for all.
 const PLACES: usize = 13;
+
+/// What to do about a column in another unit.
+const CONVERT: &str = "convert the column";
 
 /// Drives that move together, with their range.
 type Over<'a> = (&'a Spanned<String>, &'a Spanned<NumberList<2>>);
 
 impl Naming<'_> {
-    /// The axes over which a target is stated, and the values wanted along them, in the file's units divided by `scale`.
+    /// The axes over which a target is stated, and the values wanted along them, without the file's unit of angles.
     pub(crate) fn wanted(
         &self,
         name: &Spanned<String>,
         table: &TargetTable,
-        scale: f64,
+        reading: &Reading,
     ) -> Result<(Vec<GridAxis>, tune::Wanted), Failure> {
         let refuse = |message: String| Err(self.source.refuse(&name.span(), message));
         let stated = match (&table.value, &table.change) {
@@ -45,7 +48,7 @@ impl Naming<'_> {
             .iter()
             .flat_map(|table| table.get_ref().iter())
             .collect();
-        let (axes, mut wanted) = self.along(name, &over, stated)?;
+        let (axes, mut wanted) = self.along(name, &over, stated, reading)?;
         if !wanted.iter().all(|wanted| wanted.is_finite()) {
             let message = "the target is not finite";
             return Err(self.source.refuse(&stated.span(), message));
@@ -53,6 +56,7 @@ impl Naming<'_> {
         if let Err(too_many) = Grid::new(self.mechanism, axes.clone(), CountedFrom::Start) {
             return refuse(too_many);
         }
+        let scale = reading.file_factor(self.mechanism);
         wanted.iter_mut().for_each(|wanted| *wanted /= scale);
         let wanted = match table.value {
             Some(_) => tune::Wanted::Values(wanted),
@@ -67,6 +71,7 @@ impl Naming<'_> {
         name: &Spanned<String>,
         over: &[Over<'_>],
         stated: &Spanned<TargetValues>,
+        reading: &Reading,
     ) -> Result<(Vec<GridAxis>, Vec<f64>), Failure> {
         let refuse = |message: &str| Err(self.source.refuse(&name.span(), message));
         match (stated.get_ref(), over) {
@@ -81,14 +86,32 @@ impl Naming<'_> {
                 self.measured(*over, points.clone(), &stated.span())
             }
             (TargetValues::Csv(file), [over]) => {
-                let of = "of the drive and of the quantity, for example [\"travel\", \"toe\"]";
-                let points = measured_points::read(self.source, file, of)?;
+                let points = self.points_in(file, over.0, reading)?;
                 self.measured(*over, points, &stated.span())
             }
             (TargetValues::Points(_) | TargetValues::Csv(_), _) => refuse(
                 "measured points need exactly one drive under `over`, with the range in which they count",
             ),
         }
+    }
+
+    /// The points in a file, whose columns have the units of the drives and of the quantity.
+    fn points_in(
+        &self,
+        file: &CsvTable,
+        drives: &Spanned<String>,
+        reading: &Reading,
+    ) -> Result<Vec<[f64; 2]>, Failure> {
+        let of = "of the drive and of the quantity, for example [\"travel\", \"toe\"]";
+        let points = MeasuredPoints::find(self.source, file, of)?;
+        let axis = self.named_axis(drives, &[], &[])?;
+        let kind = self.mechanism.names.drives[axis.drives[0].0].kind;
+        let unit = self.mechanism.unit;
+        points.check_unit(0, &Dimension::from(kind).symbol(unit), CONVERT)?;
+        if reading.per.is_none() {
+            points.check_unit(1, &reading.column.dimension.symbol(unit), CONVERT)?;
+        }
+        points.numbers()
     }
 
     /// The axis along the measured points that are within the range of the drive, and their values.

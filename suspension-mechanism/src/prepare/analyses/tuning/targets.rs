@@ -30,7 +30,7 @@ impl Naming<'_> {
             let message = "`within` must be a positive number, the largest permitted deviation from the target";
             return Err(self.source.refuse(&table.within.span(), message));
         }
-        let (over, wanted) = self.wanted(name, table, scale)?;
+        let (over, wanted) = self.wanted(name, table, &reading)?;
         Ok(Target {
             name: name.get_ref().clone(),
             reading,
