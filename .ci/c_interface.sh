@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The C interface with the features that suspension-c has alone, as users link it. On this machine,
+# The C interface with the features that suspension-c has alone, as users build it. On this machine,
 # linked with no other library, and on a Cortex-M4F in QEMU the program in C prints the text that its
 # twin in Rust prints on this machine, checksums of all bits included; so does, on this machine, the
 # program that reads a listing from text. And what all functions of a linkage reach has no writable
@@ -27,13 +27,8 @@ CARGO_TARGET_DIR=$controller make --no-print-directory --silent --directory exam
     CARGO_BARE="cargo +debian" >"$controller/printed" &
 on_controller=$!
 
-# What the library links with and computes here does not depend on optimisation, which takes two thirds of the build.
-as_linked=(--quiet --locked --release --package suspension-c)
-for package in suspension-c suspension-listing suspension-runtime; do
-    as_linked+=(--config "profile.release.package.$package.opt-level=0")
-done
-by_rust=$(cargo run "${as_linked[@]}" --example motion -- f32)
-cargo build "${as_linked[@]}" --example catalogue
+by_rust=$(cargo run --quiet --locked --release --package suspension-c --example motion -- f32)
+cargo build --quiet --locked --release --package suspension-c --example catalogue
 mkdir -p target/c
 cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/motion.c \
     target/release/examples/libcatalogue.a -o target/c/motion_here
@@ -42,7 +37,7 @@ if ! diff <(echo "$by_rust") <(target/c/motion_here); then
     exit 1
 fi
 
-by_rust_compiled=$(cargo run "${as_linked[@]}" --example listing)
+by_rust_compiled=$(cargo run --quiet --locked --release --package suspension-c --example listing)
 cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/listing.c \
     target/release/examples/libcatalogue.a -o target/c/listing_here
 listing=suspension-core/src/linkages/double_wishbone_pushrod.linkage
