@@ -9,6 +9,16 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 forbidden='panic|core::fmt|rust_begin_unwind|__rust_alloc|alloc::|unwrap_failed|expect_failed'
 
+# Fails unless there are as many lines of something as wanted.
+check_count() {
+    local what=$1 wanted=$2 count
+    count=$(wc --lines <<<"$3")
+    if ((count != wanted)); then
+        echo "$count $what, $wanted wanted"
+        exit 1
+    fi
+}
+
 # What a linked file has in it, none of it forbidden.
 check_reach() {
     local symbols
@@ -61,14 +71,16 @@ if ! diff <(echo "$by_rust") <(echo "$by_c"); then
     echo "Rust on this machine (<) and C on the Cortex-M4F (>) differ"
     exit 1
 fi
-rows=$(wc --lines <<<"$by_c")
-((rows == 22))
+check_count "rows of the motion" 22 "$by_c"
 echo "C on a Cortex-M4F computes the same bits as Rust here, over 1,901 steps"
 
 cd target
 library=controller/thumbv7em-none-eabihf/release/libsuspension_c.a
 functions=$(arm-none-eabi-nm --defined-only "$library" 2>/dev/null | awk '$2 == "T" && $3 ~ /^susp_/ { print $3 }')
-(($(wc --lines <<<"$functions") > 20))
+if (($(wc --lines <<<"$functions") <= 20)); then
+    echo "the library for the controller has few functions: $functions"
+    exit 1
+fi
 # shellcheck disable=SC2086 # one argument a line
 arm-none-eabi-ld --gc-sections --entry=0 ${functions//susp_/--undefined=susp_} "$library" -o c/all.elf
 check_reach c/all.elf
@@ -85,7 +97,8 @@ objcopy --wildcard --globalize-symbol='*Counted*Moving*' --remove-section=.eh_fr
     --remove-section='.gcc_except_table*' --remove-section='.rela.gcc_except_table*' \
     release/examples/libcatalogue.a c/entries.a
 entries=$(nm --defined-only c/entries.a 2>/dev/null | awk '$2 == "T" && /Counted/ && /Moving/ && !/copied/ { print "--undefined=" $3 }')
-(($(wc --lines <<<"$entries") == 45)) # fifteen in each of three sizes, beside the one that copies
+# Fifteen in each of three sizes, beside the one that copies.
+check_count "functions that move a listing from text" 45 "$entries"
 # shellcheck disable=SC2086 # one argument a line
 ld --gc-sections --entry=0 --unresolved-symbols=ignore-all $entries c/entries.a -o c/entries.elf
 check_reach c/entries.elf
