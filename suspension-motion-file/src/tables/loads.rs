@@ -6,7 +6,7 @@ use toml::Value;
 
 use crate::tables::entries::Entries;
 use crate::tables::number_list::number_list;
-use crate::tables::written::{Written, read_written};
+use crate::tables::several_notations::{Written, read_written};
 
 /// A load at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]

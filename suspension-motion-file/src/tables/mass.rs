@@ -5,7 +5,7 @@ use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::tables::number_list::number_list;
-use crate::tables::written::{Written, read_written};
+use crate::tables::several_notations::{Written, read_written};
 
 /// The mass of a moving part.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer};
 
 use crate::axle::is_within;
 use crate::tables::entries::Entries;
-use crate::tables::written::{Written, read_written};
+use crate::tables::several_notations::{Written, read_written};
 
 /// Values of wheels.
 #[derive(Clone, Debug)]

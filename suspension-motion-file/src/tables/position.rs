@@ -4,7 +4,7 @@ use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::tables::number_list::{number_list, spanned_number_list};
-use crate::tables::written::{Written, read_written};
+use crate::tables::several_notations::{Written, read_written};
 
 /// The position of a point.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Deserializer, de};
 use toml::Spanned;
 
+use crate::tables::several_notations::{Written, read_written};
 use crate::tables::target_values::CsvTable;
-use crate::tables::written::{Written, read_written};
 
 /// A drive over time, as the file states it.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
-use crate::tables::written::{Written, read_written};
+use crate::tables::several_notations::{Written, read_written};
 
 /// One number for all places, one for each place, or measured points.
 #[derive(Clone, Debug)]
