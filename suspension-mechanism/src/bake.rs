@@ -27,4 +27,4 @@ pub use fit::{Unmet, bake};
 pub use led_path::LedPath;
 pub use path::Path;
 pub use scheme::{Continuity, TERMS};
-pub use surface::{BakedSurface, UnmetSurface, WantedSurface, bake_surface};
+pub use surface::{BakedSurface, SurfaceReached, UnmetSurface, WantedSurface, bake_surface};

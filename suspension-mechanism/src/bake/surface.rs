@@ -17,7 +17,7 @@ use crate::bake::scheme::{Continuity, TERMS};
 use crate::mechanism::Suspension;
 use plane::{Mixed, Plane};
 
-pub use baked_surface::BakedSurface;
+pub use baked_surface::{BakedSurface, SurfaceReached};
 pub use wanted::{MOST_PATCHES, UnmetSurface, WantedSurface};
 
 /// Bakes the motion of two drives, with the others held at `held`, from the configuration `start`.
@@ -68,8 +68,11 @@ fn layouts() -> Vec<[usize; 2]> {
 type Patches = Vec<Vec<Patch<f64, 3, TERMS>>>;
 
 impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
-    /// All patches and their largest error; `None` if the tolerance is not met.
-    fn patches(&self, counts: [usize; 2]) -> Result<Option<(Patches, f64)>, UnmetSurface> {
+    /// All patches and their largest errors; `None` if the tolerance is not met.
+    fn patches(
+        &self,
+        counts: [usize; 2],
+    ) -> Result<Option<(Patches, SurfaceReached)>, UnmetSurface> {
         let all = 0..counts[0] * counts[1];
         for index in all.clone() {
             let (corner, lengths) = self.place(counts, index)?;
@@ -78,14 +81,14 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
             }
         }
         let mut patches = Vec::new();
-        let mut reached = 0.0_f64;
+        let mut reached = SurfaceReached::default();
         for index in all {
             let (corner, lengths) = self.place(counts, index)?;
             let (patch, off) = self.patch(corner, lengths)?;
-            if off > self.wanted.tolerance {
+            if off.position > self.wanted.tolerance {
                 return Ok(None);
             }
-            reached = reached.max(off);
+            reached = reached.larger(off);
             patches.push(patch);
         }
         Ok(Some((patches, reached)))
@@ -122,7 +125,8 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
         let is_within = |u: usize, v: usize| {
             let mut outputs = fitted.iter().zip(&seen[u][v]);
             outputs.all(|((output, patch), exact)| {
-                let off = evaluate(patch, places[u], places[v]) - exact.value;
+                let [value, ..] = evaluate(patch, places[u], places[v]);
+                let off = value - exact.value;
                 output.lever(self.wanted.metre) * off.norm() <= self.wanted.tolerance
             })
         };
@@ -130,20 +134,30 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
         Ok(all.clone().all(|u| all.clone().all(|v| is_within(u, v))))
     }
 
-    /// A patch of each output, and a bound of the largest error.
+    /// A patch of each output, and bounds of the largest errors.
     fn patch(
         &self,
         corner: [f64; 2],
         lengths: [f64; 2],
-    ) -> Result<(Vec<Patch<f64, 3, TERMS>>, f64), UnmetSurface> {
+    ) -> Result<(Vec<Patch<f64, 3, TERMS>>, SurfaceReached), UnmetSurface> {
         let fitted = self.fitted(corner, lengths)?;
         let seen = self.grid(corner, lengths, &certify::places())?;
-        let mut reached = 0.0_f64;
+        let mut reached = SurfaceReached::default();
         for (number, (output, patch)) in fitted.iter().enumerate() {
-            let off =
-                |u: f64, v: f64, exact: &Vec<Mixed>| evaluate(patch, u, v) - exact[number].value;
             let lever = output.lever(self.wanted.metre);
-            reached = reached.max(lever * certify::bound_over_square(&seen, off));
+            let bound = |of: fn(&Mixed) -> Vector3<f64>, order: usize, length: f64| {
+                let off = |u: f64, v: f64, exact: &Vec<Mixed>| {
+                    evaluate(patch, u, v)[order] / length - of(&exact[number])
+                };
+                lever * certify::bound_over_square(&seen, off)
+            };
+            reached = reached.larger(SurfaceReached {
+                position: bound(|exact| exact.value, 0, 1.0),
+                first: [
+                    bound(|exact| exact.by_first, 1, lengths[0]),
+                    bound(|exact| exact.by_second, 2, lengths[1]),
+                ],
+            });
         }
         let patches = fitted.into_iter().map(|(_, patch)| patch).collect();
         Ok((patches, reached))
@@ -202,12 +216,11 @@ fn fit(
     patch
 }
 
-fn evaluate(patch: &Patch<f64, 3, TERMS>, u: f64, v: f64) -> Vector3<f64> {
+/// The value of a patch, and its derivatives with respect to both variables.
+fn evaluate(patch: &Patch<f64, 3, TERMS>, u: f64, v: f64) -> [Vector3<f64>; 3] {
     use suspension_core::baked::polynomial;
-    let terms = patch.map(|row| {
-        let [value] = polynomial(&row, v);
-        value
-    });
-    let [value] = polynomial(&terms, u);
-    Vector3::from(value)
+    let rows: [[[f64; 3]; 2]; TERMS] = patch.map(|row| polynomial(&row, v));
+    let [value, by_first] = polynomial(&rows.map(|[value, _]| value), u);
+    let [by_second] = polynomial(&rows.map(|[_, slope]| slope), u);
+    [value, by_first, by_second].map(Vector3::from)
 }

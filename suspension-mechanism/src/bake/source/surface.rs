@@ -7,7 +7,7 @@ mod toml;
 use crate::bake::certify::SAMPLES;
 use crate::bake::scheme::TERMS;
 use crate::bake::source::about::row;
-use crate::bake::source::{Language, Titled, tolerance};
+use crate::bake::source::{Language, Titled, bound, tolerance};
 use crate::bake::surface::BakedSurface;
 
 /// The data from which the text of a surface is written.
@@ -39,10 +39,17 @@ impl SurfaceFile<'_> {
         let [along, across] = baked.counts;
         let bytes = along * across * TERMS * TERMS * outputs.len() * size_of::<f64>();
         let degree = TERMS - 1;
+        let drives = about.arguments.iter().zip(baked.reached.first);
+        let slopes: Vec<_> = drives
+            .map(|(drive, within)| {
+                format!("{} {unit}/{} by {}", bound(within), drive.unit, drive.name)
+            })
+            .collect();
         let mut lines = about.header(&baked.outputs);
         lines.extend([
             format!("Continuous where patches join: {joined}."),
-            tolerance(baked.wanted.tolerance, baked.reached, unit),
+            tolerance(baked.wanted.tolerance, baked.reached.position, unit),
+            format!("First derivative within {}.", slopes.join(", within ")),
             format!("Checked against the solver at {SAMPLES} x {SAMPLES} Chebyshev points a patch; a bound for smooth motions, not a proof."),
             format!("{along} x {across} patches of degree {degree} in each drive, {bytes} bytes."),
         ]);

@@ -6,6 +6,26 @@ use crate::bake::driven::Output;
 use crate::bake::scheme::TERMS;
 use crate::bake::surface::wanted::WantedSurface;
 
+/// The largest differences between a surface and the motion: bounds from samples as in [`certify`](crate::bake::certify), in
+/// each direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfaceReached {
+    /// The difference of a position, in the unit of the hardpoints.
+    pub position: f64,
+    /// The differences of its first derivatives with respect to each drive, in that unit per unit of the drive.
+    pub first: [f64; 2],
+}
+
+impl SurfaceReached {
+    /// The larger of the two, for each difference.
+    pub(super) fn larger(self, other: Self) -> Self {
+        Self {
+            position: self.position.max(other.position),
+            first: [0, 1].map(|way| self.first[way].max(other.first[way])),
+        }
+    }
+}
+
 /// A baked motion of two drives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BakedSurface {
@@ -13,8 +33,8 @@ pub struct BakedSurface {
     pub wanted: WantedSurface,
     /// The outputs, of three numbers each.
     pub outputs: Vec<Output>,
-    /// A bound of the error of a position, from samples as in [`certify`](crate::bake::certify) in each direction.
-    pub reached: f64,
+    /// Its errors.
+    pub reached: SurfaceReached,
     /// The numbers of patches along each drive.
     pub counts: [usize; 2],
     /// The polynomials indexed by patch, output and powers of both drives.

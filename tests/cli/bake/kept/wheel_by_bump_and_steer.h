@@ -8,6 +8,7 @@
  * The spin axis counts as a point 1 m from the wheel centre.
  * Continuous where patches join: position and first derivatives.
  * Tolerance asked: 1e-5 m; reached: 1.6e-6 m.
+ * First derivative within 0.00012 m/m by bump, within 0.00013 m/m by steer.
  * Checked against the solver at 32 x 32 Chebyshev points a patch; a bound for smooth motions, not a proof.
  * 1 x 1 patches of degree 5 in each drive, 1728 bytes.
  *
