@@ -224,7 +224,7 @@ fn mistakes_in_recordings_have_their_place() {
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
     refused(
         "{ csv = \"back.csv\", columns = [\"t\", \"bump\"] }",
-        "a.toml:9:16: the times of back.csv must increase; 0.5 s follows 0.5 s",
+        "back.csv:4:1: times must increase, but 0.5 s follows 0.5 s; leave out one of the lines, or correct the time",
     );
     refused(
         "{ csv = \"one.csv\", columns = [\"t\", \"bump\"] }",

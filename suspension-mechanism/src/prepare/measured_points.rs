@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::file::{CsvTable, Source};
 use crate::measured_table::MeasuredTable;
 use crate::measured_table::units::{name_and_symbol, usual_symbol};
+use crate::number::number;
 
 /// Two columns of a table, perhaps below a line of units.
 pub(super) struct MeasuredPoints {
@@ -74,6 +75,25 @@ impl MeasuredPoints {
             .zip(values)
             .map(|(at, value)| [at, value])
             .collect())
+    }
+
+    /// Refuses times, the first of these numbers, that do not increase from line to line.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the first time that is not later than the one above it.
+    pub(super) fn check_times(&self, numbers: &[[f64; 2]]) -> Result<(), Failure> {
+        let is_late = |two: &[[f64; 2]]| two[0][0] >= two[1][0];
+        let Some(above) = numbers.windows(2).position(is_late) else {
+            return Ok(());
+        };
+        let [before, after] = [numbers[above][0], numbers[above + 1][0]].map(number);
+        let message = format!(
+            "times must increase, but {after} s follows {before} s; leave out one of the lines, or correct the time"
+        );
+        Err(self
+            .table
+            .refuse_number(above + 1, self.columns[0], message))
     }
 }
 

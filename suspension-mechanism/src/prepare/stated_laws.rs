@@ -87,7 +87,9 @@ impl Task<'_> {
             let remedy = "state the factor between them, as factor = 0.001";
             points.check_unit(1, &dimension.symbol(self.file.unit()), remedy)?;
         }
-        points.numbers()
+        let numbers = points.numbers()?;
+        points.check_times(&numbers)?;
+        Ok(numbers)
     }
 
     /// The curve through recorded points, which must cover the motion.
@@ -96,13 +98,6 @@ impl Task<'_> {
         let name = file.csv.get_ref();
         if points.iter().flatten().any(|number| !number.is_finite()) {
             return refuse(format!("{name} has numbers that are not finite"));
-        }
-        let late = points.windows(2).find(|two| two[0][0] >= two[1][0]);
-        if let Some([[before, _], [after, _]]) = late {
-            let (before, after) = (number(*before), number(*after));
-            return refuse(format!(
-                "the times of {name} must increase; {after} s follows {before} s"
-            ));
         }
         let Some(spline) = Spline::through(points) else {
             return refuse(format!("{name} needs at least two lines of numbers"));
