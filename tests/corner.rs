@@ -5,6 +5,7 @@ mod drives;
 mod no_length;
 mod singular;
 mod stored;
+mod wheel_rates;
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Designed;

@@ -123,6 +123,10 @@ where
         let inputs = (self.inputs)(T::constant(0.5));
         let points = without_allocating("points", || motion.points(&self.model, &inputs));
         without_allocating("Wheel", || Wheel::of(points.value.wheel())).expect("a spin axis");
+        without_allocating("Wheel::with_rates", || {
+            Wheel::with_rates(&points.map(HasWheel::wheel))
+        })
+        .expect("a spin axis");
         without_allocating("Kingpin", || {
             Kingpin::of(points.value.kingpin(), points.value.wheel())
         });

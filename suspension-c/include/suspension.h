@@ -193,6 +193,16 @@ typedef struct {
     float toe;
 } susp_f32_wheel;
 
+/** The wheel with its first and second derivatives, with respect to time or to a change of the drives. */
+typedef struct {
+    /** The wheel. */
+    susp_f32_wheel value;
+    /** Per second, or per unit of the change. */
+    susp_f32_wheel rate;
+    /** Per second squared, or per unit of the change squared. */
+    susp_f32_wheel second_rate;
+} susp_f32_wheel_rates;
+
 /** The rotation of the body that carries the wheel. */
 typedef struct {
     /** Angular velocity, rad/s. */
@@ -372,6 +382,16 @@ typedef struct {
     /** Toe, rad: positive if the front points inboard, atan2(s_x, |s_y|). */
     double toe;
 } susp_f64_wheel;
+
+/** The wheel with its first and second derivatives, with respect to time or to a change of the drives. */
+typedef struct {
+    /** The wheel. */
+    susp_f64_wheel value;
+    /** Per second, or per unit of the change. */
+    susp_f64_wheel rate;
+    /** Per second squared, or per unit of the change squared. */
+    susp_f64_wheel second_rate;
+} susp_f64_wheel_rates;
 
 /** The rotation of the body that carries the wheel. */
 typedef struct {

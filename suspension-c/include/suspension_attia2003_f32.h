@@ -421,6 +421,12 @@ susp_status susp_attia2003_f32_read_wheel(
         const susp_attia2003_f32_points *points,
         susp_f32_wheel *wheel);
 
+/** That wheel with its derivatives: per second from points of `read_points`, and per unit of a change
+ * of the drives, such as camber gain and bump steer, from those of `read_derivatives`. */
+susp_status susp_attia2003_f32_read_wheel_rates(
+        const susp_attia2003_f32_point_rates *points,
+        susp_f32_wheel_rates *wheel);
+
 /** How the body that carries the wheel turns. */
 susp_status susp_attia2003_f32_read_rotation(
         const susp_attia2003_f32_point_rates *points,

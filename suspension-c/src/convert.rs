@@ -6,7 +6,7 @@ use suspension_core::nalgebra::{Isometry3, Quaternion, Translation3, UnitQuatern
 use suspension_core::solve::assemble;
 use suspension_core::{Real, Signal, wheel};
 
-use crate::shared::{Assembly, CarrierRotation, Kingpin, Report, RigidMotion, Wheel};
+use crate::shared::{Assembly, CarrierRotation, Kingpin, Report, RigidMotion, Wheel, WheelRates};
 use crate::status::Status;
 use crate::values::{Rates, Values};
 
@@ -45,13 +45,29 @@ impl<T: Real> From<assemble::Assembly<T>> for Assembly<T> {
 /// Computes the wheel on a spin axis.
 pub fn wheel_of<T: Real>(axis: [Vector3<T>; 2]) -> Result<Wheel<T>, Status> {
     let found = wheel::Wheel::of(axis).ok_or(Status::NoDirection)?;
-    Ok(Wheel {
+    Ok(wheel_with(&found, wheel::camber_to_ground(&found.axis)))
+}
+
+/// Computes the wheel on a spin axis with its derivatives.
+pub fn wheel_rates_of<T: Real>(axis: &Signal<[Vector3<T>; 2]>) -> Result<WheelRates<T>, Status> {
+    let found = wheel::Wheel::with_rates(axis).ok_or(Status::NoDirection)?;
+    let along = axis.map(|[inner, centre]| centre - inner);
+    let to_ground = wheel::camber_to_ground(&along.components());
+    Ok(WheelRates {
+        value: wheel_of(axis.value)?,
+        rate: wheel_with(&found.rate, to_ground.rate),
+        second_rate: wheel_with(&found.second_rate, to_ground.second_rate),
+    })
+}
+
+fn wheel_with<T: Real>(found: &wheel::Wheel<T>, camber_to_ground: T) -> Wheel<T> {
+    Wheel {
         centre: found.centre.into(),
         axis: found.axis.into(),
         camber: found.camber,
-        camber_to_ground: wheel::camber_to_ground(&found.axis),
+        camber_to_ground,
         toe: found.toe,
-    })
+    }
 }
 
 /// Computes the rotation of the body that carries the wheel.

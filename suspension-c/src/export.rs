@@ -60,6 +60,7 @@ macro_rules! export {
                 Build as _, HasKingpin as _, HasWheel as _, In, InOut, Linkage as _, Names, Object, Out, PhantomData, Rates, Status,
                 Text, Trouble, Values, add_at, answer, each_force, fill, kingpin_of, named, named_points, of, outputs_of, place, respond,
                 room, rotation_of, signal, solver, values, values_of_points, wheel_of,
+                wheel_rates_of,
             };
 
             /// The number type.
@@ -86,7 +87,7 @@ macro_rules! export {
 
             use of::$number::{
                 Assembly, CarrierRotation, Certificate, Failure, Kingpin, Masses, Outputs, Report, RigidMotion,
-                Wheel,
+                Wheel, WheelRates,
             };
 
             $crate::helpers_of_a_linkage!();

@@ -62,6 +62,16 @@ macro_rules! functions_of_a_part {
                 })
             }
 
+            /// That wheel with its derivatives: per second from points of `read_points`, and per unit of a change
+            /// of the drives, such as camber gain and bump steer, from those of `read_derivatives`.
+            fn read_wheel_rates(points: In<PointRates>, wheel: Out<WheelRates>) -> Status {
+                answer(|| {
+                    let (points, wheel) = (points.get()?, wheel.get()?);
+                    wheel.write(wheel_rates_of(&signal(points, |points| points_of(points).wheel()))?);
+                    Ok(())
+                })
+            }
+
             /// How the body that carries the wheel turns.
             fn read_rotation(points: In<PointRates>, rotation: Out<CarrierRotation>) -> Status {
                 answer(|| {

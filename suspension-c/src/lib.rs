@@ -72,7 +72,7 @@ pub mod private {
     pub use suspension_core::nalgebra::Vector3;
     pub use suspension_core::{self as solver, Build, Linkage};
 
-    pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
+    pub use crate::convert::{fill, kingpin_of, rotation_of, wheel_of, wheel_rates_of};
     pub use crate::describe::{Function, Interface, Names, Shape, Structure};
     pub use crate::failure::{Trouble, answer, respond};
     pub use crate::masses::{add_at, each_force, place};

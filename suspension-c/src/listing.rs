@@ -19,7 +19,8 @@ pub use corner::{
     corner_add_masses, corner_advance, corner_destroy, corner_drives, corner_new,
     corner_read_derivatives, corner_read_kingpin, corner_read_kingpin_at, corner_read_loads,
     corner_read_measures, corner_read_points, corner_read_rotation, corner_read_rotation_at,
-    corner_read_wheel, corner_read_wheel_at, corner_step, corner_time,
+    corner_read_wheel, corner_read_wheel_at, corner_read_wheel_derivatives,
+    corner_read_wheel_rates, corner_step, corner_time,
 };
 pub(crate) use kind::KINDS;
 pub use kind::Kind;

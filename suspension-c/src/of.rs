@@ -16,7 +16,7 @@ macro_rules! over {
             /// The rates for which a step solves: see `SUSP_POSITION`.
             pub type Outputs = i32;
             over!(@types $number: Assembly, BakedWheel, BakedWheelRates, CarrierRotation, Certificate,
-                Curve, Failure, Kingpin, Mass, Masses, Numbers, Report, RigidMotion, Wheel);
+                Curve, Failure, Kingpin, Mass, Masses, Numbers, Report, RigidMotion, Wheel, WheelRates);
 
             crate::functions! { $prefix:
                 /// Evaluates a wheel for the value of a drive, its rate, per second, and its second rate,

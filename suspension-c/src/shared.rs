@@ -104,6 +104,16 @@ structures! {
         toe: T,
     }
 
+    /// The wheel with its first and second derivatives, with respect to time or to a change of the drives.
+    WheelRates {
+        /// The wheel.
+        value: Wheel<T>,
+        /// Per second, or per unit of the change.
+        rate: Wheel<T>,
+        /// Per second squared, or per unit of the change squared.
+        second_rate: Wheel<T>,
+    }
+
     /// The rotation of the body that carries the wheel.
     CarrierRotation {
         /// Angular velocity, rad/s.

@@ -10,7 +10,7 @@ use suspension_c::Status;
 use suspension_c::catalogue::five_link_f32::{
     self, Drives, Equations, Inputs, MeasureRates, PointRates, Points,
 };
-use suspension_c::of::f32::{Failure, Report};
+use suspension_c::of::f32::{Failure, Report, WheelRates};
 use suspension_core::linkages::five_link::{self as core_link, Corner};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{Signal, Values};
@@ -64,6 +64,13 @@ fn motion_ratios_at_rest_equal_those_of_the_rust_corner() {
     assert!(found.abs() > 0.1, "{found}");
     let [found] = measures.second_rate.values;
     assert_eq!(found, expected.measures.second_rate.height);
+    let wheel: WheelRates =
+        made(|wheel| five_link_f32::wheel::read_wheel_rates((&points).into(), wheel))
+            .expect("a wheel");
+    let expected = corner().wheel_rates(&expected.points).expect("a wheel");
+    let (found, expected) = (wheel.second_rate, expected.second_rate);
+    assert_eq!((found.camber, found.toe), (expected.camber, expected.toe));
+    assert!(wheel.rate.camber.abs() > 0.01, "{wheel:?}");
     assert_eq!(ratios(&design_inputs(), f32::NAN), Err(Status::Overflow));
 }
 

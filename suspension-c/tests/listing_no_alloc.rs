@@ -88,6 +88,7 @@ fn moving_and_reading_a_corner_does_not_allocate() {
     made(|kingpin| listing::corner_read_kingpin(corner.get(), kingpin)).expect("a kingpin");
     made(|rotation| listing::corner_read_rotation(corner.get(), rotation)).expect("a wheel");
     made(|wheel| listing::corner_read_wheel_at(corner.get(), 0, wheel)).expect("a wheel");
+    made(|wheel| listing::corner_read_wheel_rates(corner.get(), 0, wheel)).expect("a wheel");
     let made = allocations() - before;
     assert_eq!(made, 0, "{made} allocations");
     assert_eq!(statuses, [Status::Ok; 6]);

@@ -5,7 +5,7 @@ mod text;
 
 use suspension_c::Status;
 use suspension_c::listing;
-use suspension_c::of::f64::{CarrierRotation, Kingpin, Wheel};
+use suspension_c::of::f64::{CarrierRotation, Kingpin, Wheel, WheelRates};
 use suspension_core::linkages::LISTINGS;
 use suspension_core::{Signal, Values};
 use suspension_runtime::Listing;
@@ -71,6 +71,10 @@ fn wheels_and_kingpins_by_number_equal_those_by_name() {
             .expect("a wheel");
         let kingpin_of_rust = kingpin_of_rust.expect("a kingpin");
         assert_eq!((wheel.camber, wheel.toe), (of_rust.camber, of_rust.toe));
+        let rates: WheelRates =
+            made(|wheel| listing::corner_read_wheel_rates(corner.get(), index, wheel))
+                .expect("a wheel");
+        assert_eq!((rates.value.camber, rates.rate.camber), (wheel.camber, 0.0));
         assert_eq!(
             (kingpin.angle, kingpin.caster),
             (kingpin_of_rust.angle, kingpin_of_rust.caster)
@@ -78,6 +82,34 @@ fn wheels_and_kingpins_by_number_equal_those_by_name() {
         cambers.push(wheel.camber);
     }
     assert!((cambers[0] - cambers[1]).abs() > 1e-3, "{cambers:?}");
+}
+
+/// In an axle the bump drive of a wheel changes its camber, and not that of the other wheel.
+#[test]
+fn camber_gain_and_bump_steer_of_a_wheel_are_those_of_its_points() {
+    let (read, corner) = moved();
+    let mut change = [0.0; 3];
+    change[read.find(DRIVE, c"bump_left").expect("a drive")] = 1.0;
+    let derivatives = |index, count| {
+        made::<WheelRates>(|wheel| {
+            let change = from(&change);
+            let none = None.into();
+            listing::corner_read_wheel_derivatives(corner.get(), index, change, count, wheel, none)
+        })
+    };
+    let [left, right] = [c"left", c"right"].map(|name| {
+        let index = read.find(WHEEL, name).expect("a wheel");
+        let wheel: Wheel = made(|wheel| listing::corner_read_wheel_at(corner.get(), index, wheel))
+            .expect("a wheel");
+        let derived = derivatives(index, 3).expect("regular");
+        assert_eq!(derived.value.toe, wheel.toe);
+        derived.rate
+    });
+    assert!(left.camber.abs() > 0.1 && left.camber_to_ground.abs() > 0.1 && left.toe != 0.0);
+    assert!((left.centre[2] - 1.0).abs() < 1e-14);
+    assert!(right.camber.abs() < 1e-14 && right.toe.abs() < 1e-14);
+    assert_eq!(derivatives(0, 2).err(), Some(Status::Size));
+    assert_eq!(derivatives(2, 3).err(), Some(Status::Absent));
 }
 
 /// The mirrored wheels rotate at opposite rates at a symmetric place.

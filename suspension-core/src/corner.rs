@@ -203,6 +203,17 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Wheel::of(axis)
     }
 
+    /// That wheel with derivatives: per second if `points` are those of [`Self::points`], per unit of a change of the drives
+    /// if they are those of [`Self::per`], such as camber gain and bump steer.
+    pub fn wheel_rates(&self, points: &Signal<L::Points>) -> Option<Signal<Wheel<T>>> {
+        let axis = |points| self.model.wheel_axis(points);
+        Wheel::with_rates(&Signal {
+            value: axis(&points.value)?,
+            rate: axis(&points.rate)?,
+            second_rate: axis(&points.second_rate)?,
+        })
+    }
+
     /// The kingpin of that wheel; `None` if the listing states none.
     pub fn kingpin(&self) -> Option<Kingpin<T>> {
         let points = self.points().value;

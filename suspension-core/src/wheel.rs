@@ -7,24 +7,16 @@
 //! The camber gain of a corner, and the rate of camber while it moves:
 //!
 //! ```
-//! use suspension_core::linkage::HasWheel;
-//! use suspension_core::linkages::double_wishbone::{Corner, Drives, Points};
-//! use suspension_core::wheel::camber;
+//! use suspension_core::linkages::double_wishbone::{Corner, Drives};
 //! use suspension_core::Signal;
 //!
-//! let camber_of = |points: Signal<Points>| {
-//!     let axis = points.map(|points| {
-//!         let [inner, centre] = points.wheel();
-//!         centre - inner
-//!     });
-//!     camber(&axis.components())
-//! };
 //! let mut corner: Corner = Corner::design()?;
 //! let (start, rate) = (corner.drives(), Drives { bump: 0.05, steer: 0.0 });
 //! corner.advance(0.5, |time| Signal::line(start, rate, time))?;
-//! let gain = camber_of(corner.per(Drives { bump: 1.0, steer: 0.0 })?.points).rate; // rad/m
-//! let per_second = camber_of(corner.points()).rate; // rad/s
-//! assert!((per_second - gain * rate.bump).abs() < 1e-15);
+//! let per_bump = corner.per(Drives { bump: 1.0, steer: 0.0 })?;
+//! let gain = corner.wheel_rates(&per_bump.points).ok_or("no wheel")?.rate.camber; // rad/m
+//! let moving = corner.wheel_rates(&corner.points()).ok_or("no wheel")?;
+//! assert!((moving.rate.camber - gain * rate.bump).abs() < 1e-15); // rad/s
 //! assert_eq!(format!("{:.2} deg/m", gain.to_degrees()), "-17.55 deg/m");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -43,7 +35,7 @@ use nalgebra::Vector3;
 
 use crate::arithmetic::scalar::Real;
 use crate::body;
-use crate::signal::Signal;
+use crate::signal::{Number, Signal};
 
 pub use angles::{
     camber, camber_rate, camber_to_ground, caster, kingpin_angle, steer_angle, steer_rate, toe,
@@ -108,6 +100,26 @@ impl<T: Real> Wheel<T> {
             axis,
             camber: camber(&axis),
             toe: toe(&axis),
+        })
+    }
+
+    /// Reads the wheel with its derivatives from these two points with theirs; `None` if they coincide. See
+    /// [`Corner::wheel_rates`](crate::Corner::wheel_rates).
+    pub fn with_rates(points: &Signal<[Vector3<T>; 2]>) -> Option<Signal<Self>> {
+        let value = Self::of(points.value)?;
+        let axis = points.map(|[inner, centre]| centre - inner).components();
+        let (camber, toe) = (camber(&axis), toe(&axis));
+        let unit = axis / axis.dot(&axis).square_root();
+        let derivative = |[_, centre]: [Vector3<T>; 2], of: fn(&Signal<T>) -> T| Self {
+            centre,
+            axis: unit.map(|component| of(&component)),
+            camber: of(&camber),
+            toe: of(&toe),
+        };
+        Some(Signal {
+            value,
+            rate: derivative(points.rate, |number| number.rate),
+            second_rate: derivative(points.second_rate, |number| number.second_rate),
         })
     }
 }

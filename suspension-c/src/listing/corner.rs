@@ -8,9 +8,9 @@ use super::objects::{Corner, Listing};
 use super::parsed::Parsed;
 use super::placed::Placed;
 use super::text::{Number, check_count};
-use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
+use crate::convert::{fill, kingpin_of, rotation_of, wheel_of, wheel_rates_of};
 use crate::failure::{Trouble, answer, respond};
-use crate::of::f64::{CarrierRotation, Failure, Kingpin, Masses, Report, Wheel};
+use crate::of::f64::{CarrierRotation, Failure, Kingpin, Masses, Report, Wheel, WheelRates};
 use crate::pointer::{Create, Destroy, In, InOut, Object, Out};
 use crate::status::Status;
 
@@ -241,6 +241,29 @@ crate::functions! { "susp":
     /// One of several wheels, by its number as SUSP_WHEEL; SUSP_ERROR_ABSENT if there is no such wheel.
     fn corner_read_wheel_at(corner: In<Corner>, index: usize, wheel: Out<Wheel>) -> Status {
         read_wheel(corner, index, wheel)
+    }
+
+    /// That wheel with its time derivatives, by its number; SUSP_ERROR_ABSENT if there is no such wheel.
+    fn corner_read_wheel_rates(corner: In<Corner>, index: usize, wheel: Out<WheelRates>) -> Status {
+        answer(|| {
+            let (corner, wheel) = (corner.object()?, wheel.get()?);
+            let axis = corner.moving().wheel_axis_rates(index).ok_or(Status::Absent)?;
+            wheel.write(wheel_rates_of(&axis)?);
+            Ok(())
+        })
+    }
+
+    /// That wheel with its derivatives for the change `change[DRIVES]` of the drives, such as camber gain and
+    /// bump steer, by its number: see `susp_corner_read_derivatives`. SUSP_ERROR_ABSENT if there is no such
+    /// wheel, SUSP_ERROR_SINGULAR where the drives lock.
+    fn corner_read_wheel_derivatives(corner: In<Corner>, index: usize, change: In<Number>, drive_count: usize, wheel: Out<WheelRates>, failure: Out<Failure>) -> Status {
+        on(corner.object().map(Placed::parts), failure, |moving, parsed| {
+            let (change, wheel) = (change.many(drive_count)?, wheel.get()?);
+            check_count(drive_count, parsed.counts().drives)?;
+            let axis = moving.wheel_axis_per(index, change).map_err(Trouble::Solver)?;
+            wheel.write(wheel_rates_of(&axis.ok_or(Status::Absent)?)?);
+            Ok(())
+        })
     }
 
     /// The rotation of the body that carries it; SUSP_ERROR_ABSENT if there is no such wheel.

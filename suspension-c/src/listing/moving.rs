@@ -68,6 +68,16 @@ pub(super) trait Moving: Send + Sync {
     /// Returns the spin axis of a wheel by its number.
     fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
 
+    /// The same with its time derivatives.
+    fn wheel_axis_rates(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 2]>>;
+
+    /// The same with its derivatives for a change of the drives: see [`Corner::per`].
+    fn wheel_axis_per(
+        &self,
+        wheel: usize,
+        change: &[f64],
+    ) -> Result<Option<Signal<[Vector3<f64>; 2]>>, Facts>;
+
     fn wheel_carrier(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 3]>>;
 
     fn kingpin(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
@@ -212,6 +222,22 @@ where
     fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {
         let places = self.corner.model().wheel(wheel)?.axis;
         Some(self.corner.points().value.at(places))
+    }
+
+    fn wheel_axis_rates(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 2]>> {
+        let places = self.corner.model().wheel(wheel)?.axis;
+        Some(self.corner.points().map(|points| points.at(places)))
+    }
+
+    fn wheel_axis_per(
+        &self,
+        wheel: usize,
+        change: &[f64],
+    ) -> Result<Option<Signal<[Vector3<f64>; 2]>>, Facts> {
+        let derived = self.corner.per(Values::from_values(change.iter().copied()));
+        let points = derived.map_err(|failure| failure.error.facts())?.points;
+        let wheel = self.corner.model().wheel(wheel);
+        Ok(wheel.map(|wheel| points.map(|points| points.at(wheel.axis))))
     }
 
     fn wheel_carrier(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 3]>> {
