@@ -108,13 +108,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
                 let correction = line.factors(before, 1.0).solve(&line.residual(before, 1.0));
                 Some(correction.map(|x| before - x).into_iter().collect())
             }
-            Self::General { generic, .. } => {
-                let (roots, of_one) = census(generic, target)?;
-                if let Some(tally) = tally {
-                    tally.add(&of_one);
-                }
-                Some(roots)
-            }
+            Self::General { generic, .. } => census(generic, target, tally.get_or_insert_default()),
         }
     }
 
