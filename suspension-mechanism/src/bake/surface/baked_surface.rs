@@ -13,7 +13,7 @@ pub struct BakedSurface {
     pub wanted: WantedSurface,
     /// The outputs, of three numbers each.
     pub outputs: Vec<Output>,
-    /// A bound of the error of a position, from samples as in [`certify`](crate::bake::certify) in each direction.
+    /// A bound of the error of a position, from samples as for a curve, in each direction.
     pub reached: f64,
     /// The numbers of patches along each drive.
     pub counts: [usize; 2],
