@@ -20,8 +20,9 @@ mod tilt;
 use nalgebra::SVector;
 use suspension_core::{Inputs, Newton, Still};
 
+use crate::mechanism::Suspension;
+
 pub use census::{PartTally, Tally};
-pub use family::Enumerable;
 pub use generic::Evidence;
 pub use limits::{Stage, Watch};
 
@@ -42,14 +43,14 @@ pub struct Census<const N: usize> {
 
 /// The search for all assemblies of a mechanism. Its results for general dimensions are used for all values of the
 /// drives.
-pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
+pub struct Assemblies<'a, L: Suspension<N>, const N: usize> {
     model: &'a L,
     near: Vector<N>,
     parts: Vec<Searched<'a, L::Listing, N>>,
     watch: &'a Watch<'a>,
 }
 
-impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
+impl<'a, L: Suspension<N>, const N: usize> Assemblies<'a, L, N> {
     /// Searches the parts of a mechanism with general dimensions, starting around `near`.
     pub fn new(
         model: &'a L,

@@ -160,10 +160,8 @@ impl dyn Kinematics + '_ {
 
 impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     fn points(&self) -> Vec<Vector3<f64>> {
-        let inputs = self.drives.inputs(self.instants.ends()[0]);
-        let points = self.start.points(&self.model, &inputs).value;
-        let count = self.names.points.len();
-        let points = points.values().take(count);
+        let points = self.start_points();
+        let points = points.values().take(self.names.points.len());
         points.map(|point| point + self.origin).collect()
     }
 
@@ -221,7 +219,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         range: [f64; 2],
         points: RequestedPoints,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let held = L::Drives::from_values(self.first_drives());
+        let held = self.start_drives();
         let (model, start) = (&self.model, &self.start);
         Ok(match measure {
             None => Box::new(Path::new(model, start, held, drive, range, points)?),
@@ -237,7 +235,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         wanted: &WantedSurface,
         interrupted: &AtomicBool,
     ) -> Result<BakedSurface, UnmetSurface> {
-        let held = L::Drives::from_values(self.first_drives());
+        let held = self.start_drives();
         bake_surface(&self.model, &self.start, held, wanted, interrupted)
     }
 

@@ -13,13 +13,13 @@
 //! - [`bake`]: motions as polynomials; [`reach`]: how far a drive leads the mechanism;
 //! - [`assemblies`]: all ways to put a mechanism together;
 //! - [`measured_table`]: tables of measured numbers; [`decimals`]: what their commas and points mean;
-//! - [`level_of_detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.
+//! - [`level_of_detail`]: the cheapest method for a need; `dual`: numbers with derivatives in several directions.
 
 pub mod assemblies;
 pub mod bake;
 pub mod characteristics;
 pub mod decimals;
-pub mod dual;
+mod dual;
 pub mod kinematics;
 pub mod level_of_detail;
 pub mod loads;

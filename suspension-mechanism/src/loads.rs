@@ -19,7 +19,7 @@ use suspension_runtime::{AngleShare, Listing, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, Names, State};
-use forces::{Force, Here, summed};
+use forces::{Force, Here};
 use measure_loads::{add_stated, loads_borne_by_measures};
 use shared_joints::Shared;
 
@@ -104,7 +104,7 @@ impl<'l> Structure<'l> {
             on_drives,
             mut by_parts,
             on_parts,
-        } = here.solve(&summed(&forces, here.points()), &self.part_forces)?;
+        } = here.solve(&forces, &self.part_forces)?;
         let by_actuators = by_parts.split_off(self.statements.len());
         let in_measures = [bearing, of_springs].concat();
         let along = self.sum_by_measure(&[case.along.as_slice(), &in_measures].concat());

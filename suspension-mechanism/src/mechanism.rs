@@ -34,7 +34,7 @@ pub use grid::{CountedFrom, Grid, MOST_PLACES, evenly_spaced};
 pub use lock::{Lock, describe_change_from_design, report_of_singular};
 pub(crate) use measure::nearest;
 pub use motion::drive_laws::{DriveLaws, follow};
-pub(crate) use motion::drive_laws::{tracker, unit_change};
+pub(crate) use motion::drive_laws::{inputs_at_rest, tracker, unit_change};
 pub use motion::end::{End, Stop};
 pub use motion::law::{Law, Sine};
 pub use motion::lead::Lead;

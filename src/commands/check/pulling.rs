@@ -3,6 +3,7 @@
 use crate::characteristics::{Parameter, parameters};
 use crate::kinematics::Kinematics;
 use crate::number::rounded;
+use crate::quantities::SPRING_LOAD;
 
 /// A smaller force, in N, may be that of a bar at rest.
 const LEAST: f64 = 1.0;
@@ -10,9 +11,8 @@ const LEAST: f64 = 1.0;
 /// Returns a note for each wheel that its springs pull up.
 pub(super) fn notes(mechanism: &dyn Kinematics) -> impl Iterator<Item = String> {
     let of_design = parameters(mechanism, mechanism.unit).into_iter();
-    let pulled = |parameter: &Parameter| {
-        parameter.quantity.name == "spring_load" && parameter.value < -LEAST
-    };
+    let pulled =
+        |parameter: &Parameter| *parameter.quantity == SPRING_LOAD && parameter.value < -LEAST;
     of_design.filter(pulled).map(|parameter| {
         let wheel = parameter.title.wheel.map(|name| name.replace('_', " ") + " wheel");
         format!(

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::mechanism::{Description, Unit};
+use crate::number::counted;
 use crate::output::motion::record::Outcome;
 use crate::output::text_table::{TextColumn, in_parts};
 
@@ -46,10 +47,9 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
 /// Returns a sentence on the solver's iterations and residual.
 pub fn totals(outcome: &Outcome, unit: Unit) -> String {
     format!(
-        "Newton iterations: {} for {} instant{}, at most {} for one, steps in between included\nLargest residual: {:.1e} {}\n",
+        "Newton iterations: {} for {}, at most {} for one, steps in between included\nLargest residual: {:.1e} {}\n",
         outcome.iterations,
-        outcome.solved,
-        if outcome.solved == 1 { "" } else { "s" },
+        counted(outcome.solved, "instant"),
         outcome.most_iterations,
         outcome.residual,
         unit.symbol(),

@@ -116,11 +116,10 @@ impl Part {
         loads: &Loads<'_, L, N>,
         at: &L::Points,
     ) -> f64 {
-        let of = |all: &L::Points, point: usize| all.values().nth(point).unwrap_or_default();
         self.ends.map_or(0.0, |[from, to]| {
-            let along = (of(at, to) - of(at, from)).normalize();
+            let along = (nth(at, to) - nth(at, from)).normalize();
             let forces = self.forces.forces(|rows| loads.by(rows.clone()), at);
-            of(&forces, from).dot(&along)
+            nth(&forces, from).dot(&along)
         })
     }
 }

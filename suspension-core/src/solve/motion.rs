@@ -37,6 +37,14 @@ impl<T: Scalar, const N: usize> Motion<T, N> {
             positive_determinant: None,
         }
     }
+
+    /// The same position and assembly at rest.
+    pub fn stopped(self) -> Self {
+        Self {
+            positive_determinant: self.positive_determinant,
+            ..Self::at_rest(self.position)
+        }
+    }
 }
 
 impl<T: Real, const N: usize> Motion<T, N> {

@@ -94,15 +94,6 @@ impl PartTally {
         ];
         doubts.into_iter().flatten()
     }
-
-    /// Adds the outcome for the part with another assembly of the parts that it needs.
-    pub(crate) fn add(&mut self, other: &Self) {
-        self.times += other.times;
-        self.real += other.real;
-        self.complex += other.complex;
-        self.unconfirmed += other.unconfirmed;
-        self.infinite += other.infinite;
-    }
 }
 
 impl Tally {
@@ -129,12 +120,13 @@ impl Tally {
     }
 }
 
-/// Follows the generic roots to a member with real numbers; returns the real roots, and the outcome for all. `None`
-/// if the search is given up.
+/// Follows the generic roots to a member with real numbers; returns the real roots, and adds the outcome to those with
+/// other assemblies of the parts that this one needs. `None` if the search is given up.
 pub(crate) fn census<G: Listing<N>, const N: usize>(
     generic: &mut Generic<'_, G, N>,
     target: MemberOf<G, N>,
-) -> Option<(Vec<Vector<N>>, PartTally)> {
+    tally: &mut PartTally,
+) -> Option<Vec<Vector<N>>> {
     let size = generic.family.size;
     let mut roots = Vec::new();
     let mut infinite = 0;
@@ -166,17 +158,12 @@ pub(crate) fn census<G: Listing<N>, const N: usize>(
     let at = generic.family.line(target, target);
     let confirmed = |root: &&Vector<N>| confirmed(&at, root, bound);
     let real: Vec<_> = nearly_real.iter().filter_map(confirmed).collect();
-    let tally = PartTally {
-        unknowns: Vec::new(),
-        times: 1,
-        real: real.len(),
-        complex: complex.len(),
-        unconfirmed: nearly_real.len() - real.len(),
-        generic: generic.roots.len(),
-        infinite: infinite.min(generic.roots.len().saturating_sub(roots.len())),
-        evidence: generic.evidence,
-    };
-    Some((real, tally))
+    tally.times += 1;
+    tally.real += real.len();
+    tally.complex += complex.len();
+    tally.unconfirmed += nearly_real.len() - real.len();
+    tally.infinite += infinite.min(generic.roots.len().saturating_sub(roots.len()));
+    Some(real)
 }
 
 /// The real root within `bound` of a nearly real one, by its residual.

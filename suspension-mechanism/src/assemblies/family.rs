@@ -9,19 +9,9 @@ use crate::assemblies::factors::{Solved, Vector};
 use crate::assemblies::parts::{Part, parts_in_order};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::{Plane, Tilt};
+use crate::mechanism::Suspension;
 
 pub(crate) use line::Line;
-
-/// A model of a listing whose equations can be evaluated in complex numbers.
-pub trait Enumerable<const N: usize>:
-    Linkage<N, Scalar = f64, Listing: Listing<N, Model<f64> = Self>>
-{
-}
-
-impl<L, const N: usize> Enumerable<N> for L where
-    L: Linkage<N, Scalar = f64, Listing: Listing<N, Model<f64> = L>>
-{
-}
 
 /// Driven coordinates.
 pub(crate) type Drives<G, const N: usize> = <G as Listing<N>>::Drives<Complex<f64>>;
@@ -173,7 +163,7 @@ fn driven_row<G: Listing<N>, const N: usize>(
 }
 
 /// The coordinates that drives prescribe.
-pub(crate) fn complex<L: Enumerable<N>, const N: usize>(
+pub(crate) fn complex<L: Suspension<N>, const N: usize>(
     model: &L,
     inputs: &Inputs<Still, L::Drives>,
 ) -> Drives<L::Listing, N> {

@@ -6,12 +6,13 @@ use suspension_core::listing::{Kind, Part as Place, Parts};
 
 use crate::assemblies::census::{PartTally, census};
 use crate::assemblies::factors::Vector;
-use crate::assemblies::family::{Drives, Enumerable, Family, Member};
+use crate::assemblies::family::{Drives, Family, Member};
 use crate::assemblies::generic::Generic;
 use crate::assemblies::limits::{MOST, Watch};
 use crate::assemblies::parts::Part;
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
+use crate::mechanism::Suspension;
 
 /// A part, and its results with general dimensions.
 pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
@@ -27,7 +28,7 @@ pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
 
 impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
     /// Searches the part with general dimensions, starting around `near`.
-    pub(crate) fn new<L: Enumerable<N, Listing = G>>(
+    pub(crate) fn new<L: Suspension<N, Listing = G>>(
         model: &L,
         part: Part,
         near: &SVector<f64, N>,
@@ -107,13 +108,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
                 let correction = line.factors(before, 1.0).solve(&line.residual(before, 1.0));
                 Some(correction.map(|x| before - x).into_iter().collect())
             }
-            Self::General { generic, .. } => {
-                let (roots, of_one) = census(generic, target)?;
-                if let Some(tally) = tally {
-                    tally.add(&of_one);
-                }
-                Some(roots)
-            }
+            Self::General { generic, .. } => census(generic, target, tally.get_or_insert_default()),
         }
     }
 

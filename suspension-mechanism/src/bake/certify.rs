@@ -17,7 +17,7 @@ use suspension_core::baked::polynomial;
 use crate::bake::driven::Derivatives;
 
 /// The number of samples per segment.
-pub const SAMPLES: usize = 32;
+pub(super) const SAMPLES: usize = 32;
 
 /// The degree up to which the factor holds.
 const DEGREE: usize = 8;
@@ -54,13 +54,13 @@ impl Reached {
 }
 
 /// The places in a segment, 0 to 1, where differences are sampled.
-pub fn places() -> [f64; SAMPLES] {
+pub(super) fn places() -> [f64; SAMPLES] {
     from_fn(|index| 0.5 - 0.5 * (PI * (index as f64 + 0.5) / SAMPLES as f64).cos())
 }
 
 /// Bounds the differences of one output over a segment of length `length` from its values at
 /// [`places`].
-pub fn bound(coefficients: &[[f64; 3]], length: f64, exact: &[Derivatives]) -> Reached {
+pub(super) fn bound(coefficients: &[[f64; 3]], length: f64, exact: &[Derivatives]) -> Reached {
     let mut differences: [Vec<Vector3<f64>>; 3] = Default::default();
     for (place, exact) in places().iter().zip(exact) {
         let sums: [[f64; 3]; 3] = polynomial(coefficients, *place);

@@ -100,10 +100,7 @@ impl<'a, L> Driven<'a, L> {
         L: Suspension<N>,
     {
         // The rates of the last motion belong to another way.
-        *motion = Motion {
-            positive_determinant: motion.positive_determinant,
-            ..Motion::at_rest(motion.position)
-        };
+        *motion = motion.stopped();
         let rate = from.combined(to, |from, to| to - from);
         let inputs = |part: f64| Inputs::still(Signal::line(*from, rate, part));
         let followed = tracker().advance(self.model, inputs, 0.0, 1.0, motion);

@@ -7,7 +7,7 @@ use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 use crate::bake::anchors::Anchors;
 use crate::bake::driven::{Derivatives, Driven, Output, RequestedPoints};
 use crate::bake::exact::{Exact, OutOfReach, Stop};
-use crate::mechanism::{Suspension, lead, nearest};
+use crate::mechanism::{Suspension, inputs_at_rest, lead, nearest};
 
 /// The mechanism moved by a measure, with one drive free and the others held.
 #[derive(Clone)]
@@ -41,7 +41,7 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
     ) -> Result<Self, OutOfReach> {
         let way = Way {
             driven: Driven::new(model, points),
-            held: Inputs::still(Signal::still(held)),
+            held: inputs_at_rest(held),
             measure,
         };
         let unreached = |cause| OutOfReach {

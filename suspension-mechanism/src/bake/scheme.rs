@@ -23,7 +23,7 @@ pub enum Continuity {
 pub const TERMS: usize = 6;
 
 /// Coefficients of three outputs over a segment, constants first.
-pub type Coefficients = [[f64; 3]; TERMS];
+pub(super) type Coefficients = [[f64; 3]; TERMS];
 
 impl Continuity {
     /// The places in a segment, 0 to 1, where polynomial and motion meet, in order. If a place is listed again, they

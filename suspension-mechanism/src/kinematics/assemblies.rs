@@ -3,11 +3,11 @@
 use nalgebra::SVector;
 use suspension_core::listing::{DriveKind, Kind, Parts};
 use suspension_core::solve::motion::Prescribed;
-use suspension_core::{Inputs, Motion, Signal, Still, Values};
+use suspension_core::{Inputs, Motion, Still, Values};
 
 use crate::assemblies::{Assemblies, Tally, Watch};
 use crate::kinematics::equations::jacobian;
-use crate::mechanism::{Mechanism, State, Suspension};
+use crate::mechanism::{Mechanism, State, Suspension, inputs_at_rest};
 
 /// A real assembly.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub(super) struct Enumerated<'a, L: Suspension<N>, const N: usize> {
 
 impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
     pub(super) fn new(mechanism: &'a Mechanism<L, N>, watch: &'a Watch<'a>) -> Self {
-        let inputs = still::<L, N>(&mechanism.first_drives());
+        let inputs = inputs_at_rest(mechanism.start_drives());
         let Mechanism { model, start, .. } = mechanism;
         let search = Assemblies::new(model, &start.position, &inputs, watch);
         Self { mechanism, search }
@@ -62,7 +62,7 @@ impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
 
 impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
     fn at(&mut self, drives: &[f64]) -> Option<(Vec<Assembly>, Tally)> {
-        let inputs = still::<L, N>(drives);
+        let inputs = inputs_at_rest(L::Drives::from_values(drives.iter().copied()));
         let census = self.search.at(&inputs)?;
         let each = census.real.iter();
         let at_drives = each.filter(|q| is_at_angles(self.mechanism, &inputs, q));
@@ -94,11 +94,6 @@ fn numbered(mut assemblies: Vec<Assembly>) -> Vec<Assembly> {
         assembly.number = number;
     }
     assemblies
-}
-
-fn still<L: Suspension<N>, const N: usize>(drives: &[f64]) -> Inputs<Still, L::Drives> {
-    let value = L::Drives::from_values(drives.iter().copied());
-    Inputs::still(Signal::still(value))
 }
 
 /// Whether the driven angles about axes have the values to which they are driven.

@@ -1,11 +1,11 @@
 //! A mechanism with changed hardpoints and lengths.
 
 use nalgebra::Vector3;
-use suspension_core::{
-    GeometryError, Inputs, Motion, Newton, Signal, SolveError, Still, Values, assemble,
-};
+use suspension_core::{GeometryError, Motion, Newton, SolveError, Values, assemble};
 
-use crate::mechanism::{Description, DriveLaws, Mechanism, Names, Spring, Suspension};
+use crate::mechanism::{
+    Description, DriveLaws, Mechanism, Names, Spring, Suspension, inputs_at_rest,
+};
 
 /// The differences of another mechanism, in the file's axes and unit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -65,7 +65,7 @@ pub(super) fn changed<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     changes: &Changes,
 ) -> Result<Mechanism<L, N>, Unbuilt> {
-    let mut points = points(mechanism);
+    let mut points = mechanism.start_points();
     for (point, by) in &changes.points {
         let [at] = points.at([*point]);
         points = points.with(*point, at + by);
@@ -83,13 +83,6 @@ pub(super) fn changed<L: Suspension<N>, const N: usize>(
     assemble_nearest(mechanism, model, &points, drives)
 }
 
-/// All points at the start of the mechanism.
-fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> L::Points {
-    let drives = L::Drives::from_values(mechanism.first_drives());
-    let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
-    mechanism.start.points(&mechanism.model, &inputs).value
-}
-
 /// The configuration nearest to some points.
 fn assemble_nearest<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
@@ -98,7 +91,7 @@ fn assemble_nearest<L: Suspension<N>, const N: usize>(
     drives: L::Drives,
 ) -> Result<Mechanism<L, N>, Unbuilt> {
     let mut position = model.unknowns(points);
-    let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
+    let inputs = inputs_at_rest(drives);
     // If only the points were changed, they are the solution.
     let nearby = Newton::default().solve(&model, &inputs, &mut position);
     if nearby.is_err() {

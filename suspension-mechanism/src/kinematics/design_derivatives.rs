@@ -7,7 +7,7 @@ use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};
 use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, Start, Unknowns};
 
-use crate::mechanism::{DesignDerivatives, Expansion, Mechanism, unit_change};
+use crate::mechanism::{DesignDerivatives, Expansion, Mechanism, inputs_at_rest, unit_change};
 
 /// The fraction of the suspension's size by which a change of lengths must also be possible: close to an impossible
 /// change, as for a body that hardly closes, derivatives mean little.
@@ -36,8 +36,8 @@ where
     Room<N>: Size,
 {
     let model = &mechanism.model;
-    let drives = Values::from_values(mechanism.first_drives());
-    let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
+    let drives = mechanism.start_drives();
+    let inputs = inputs_at_rest(drives);
     let chassis = Prescribed::new(model, &inputs).fixed.value;
     let free = mechanism.start.position;
     let points = Motion::at_rest(free).points(model, &inputs).value;

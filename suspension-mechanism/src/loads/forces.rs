@@ -68,15 +68,6 @@ fn forces_on_part(forces: Vec<(usize, Vector3<f64>)>) -> Vec<Force> {
     each.collect()
 }
 
-/// The sum of the forces at each point.
-pub(super) fn summed(forces: &[Force], points: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
-    let mut sums = vec![Vector3::zeros(); points.len()];
-    for Force { point, force, .. } in forces {
-        sums[*point] += force;
-    }
-    sums
-}
-
 /// A mechanism at a place.
 pub(super) struct Here<'a> {
     pub(super) mechanism: &'a dyn Kinematics,
@@ -90,9 +81,13 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    /// The effect of forces at the points, and the forces of parts on the points; `None` if the mechanism locks.
-    pub(super) fn solve(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
-        self.mechanism.apply_forces(self.state, forces, parts)
+    /// The effect of forces, and the forces of parts on the points; `None` if the mechanism locks.
+    pub(super) fn solve(&self, forces: &[Force], parts: &[PartForces]) -> Option<Borne> {
+        let mut at_points = vec![Vector3::zeros(); self.points().len()];
+        for Force { point, force, .. } in forces {
+            at_points[*point] += force;
+        }
+        self.mechanism.apply_forces(self.state, &at_points, parts)
     }
 
     /// The derivative of a measure with respect to each point.

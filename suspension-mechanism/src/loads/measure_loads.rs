@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use crate::loads::forces::{Force, Here, ROUNDING, summed};
+use crate::loads::forces::{Force, Here, ROUNDING};
 use crate::loads::{By, Case, Outcome, Structure};
 use crate::mechanism::State;
 
@@ -84,7 +84,7 @@ pub(super) fn loads_borne_by_measures(
         return Some(Vec::new());
     }
     let on_drives = |forces: &[Force]| {
-        let borne = here.solve(&summed(forces, here.points()), &[])?.on_drives;
+        let borne = here.solve(forces, &[])?.on_drives;
         let relieved = borne_by.iter().map(|(drive, _)| borne[*drive]);
         Some(DVector::from_iterator(borne_by.len(), relieved))
     };

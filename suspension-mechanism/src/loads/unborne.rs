@@ -1,7 +1,7 @@
 //! Drives that bear loads which springs of the file could bear, or another spring on the other side.
 
 use crate::kinematics::Kinematics;
-use crate::loads::forces::{ROUNDING, summed};
+use crate::loads::forces::ROUNDING;
 use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::{Pair, State};
 
@@ -81,25 +81,17 @@ impl Structure<'_> {
         state: &State,
         travel: &'a [usize],
     ) -> Moved<'a> {
-        let measures = 0..mechanism.names.measures.len();
-        let ratios = measures.map(|measure| self.ratios(mechanism, state, measure));
+        let here = self.here(mechanism, state);
+        // The change of a measure per unit of a drive is the work of a force of 1 N in it.
+        let ratios = |measure| {
+            let acting = here.forces_in_measure(measure, 1.0);
+            Some(here.solve(&acting, &[])?.on_drives)
+        };
         Moved {
             mechanism,
-            ratios: ratios.collect(),
+            ratios: (0..mechanism.names.measures.len()).map(ratios).collect(),
             travel,
         }
-    }
-
-    /// The change of a measure per unit of each drive: the work of a force of 1 N in it.
-    fn ratios(
-        &self,
-        mechanism: &dyn Kinematics,
-        state: &State,
-        measure: usize,
-    ) -> Option<Vec<f64>> {
-        let here = self.here(mechanism, state);
-        let acting = here.forces_in_measure(measure, 1.0);
-        Some(here.solve(&summed(&acting, here.points()), &[])?.on_drives)
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::ops::Deref;
 
-use suspension_core::Motion;
+use suspension_core::{Motion, Values};
 
 use crate::mechanism::derivatives::design_derivatives::DesignDerivatives;
 use crate::mechanism::description::Description;
+use crate::mechanism::motion::drive_laws::inputs_at_rest;
 use crate::mechanism::motion::lead::Lead;
+use crate::mechanism::suspension::Suspension;
 
 /// Gives a mechanism at its start, with how it changes with its design; `None` if it locks there.
 pub type FindDesignDerivatives<L, const N: usize> =
@@ -33,5 +35,18 @@ impl<L, const N: usize> Deref for Mechanism<L, N> {
 
     fn deref(&self) -> &Description {
         &self.description
+    }
+}
+
+impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// The drives at the first instant.
+    pub(crate) fn start_drives(&self) -> L::Drives {
+        L::Drives::from_values(self.first_drives())
+    }
+
+    /// All points at the first instant, in local coordinates.
+    pub(crate) fn start_points(&self) -> L::Points {
+        let inputs = inputs_at_rest(self.start_drives());
+        self.start.points(&self.model, &inputs).value
     }
 }

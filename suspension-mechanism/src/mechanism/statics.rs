@@ -7,10 +7,11 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::listing::DriveKind;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::statics::Statics;
-use suspension_core::{Inputs, Signal, Values};
+use suspension_core::{Signal, Values};
 use suspension_runtime::PartForces;
 
 use crate::mechanism::driven_linkage::Mechanism;
+use crate::mechanism::motion::drive_laws::inputs_at_rest;
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
 
@@ -80,8 +81,8 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             let value = drives.values().nth(place).unwrap_or_default();
             let turned = TURNS.map(|turn| drives.with(place, value + turn));
             let off = |drives: &L::Drives| {
-                let still = Inputs::still(Signal::still(*drives));
-                let Prescribed { fixed, drives } = Prescribed::new(&self.model, &still);
+                let Prescribed { fixed, drives } =
+                    Prescribed::new(&self.model, &inputs_at_rest(*drives));
                 let residual = self.model.residual(position, &fixed.value, &drives.value);
                 residual.norm()
             };

@@ -14,7 +14,7 @@ use suspension_core::{Linkage, Newton, Signal, Values, assemble};
 
 use crate::failure::Failure;
 use crate::file::{Offset, Position};
-use crate::mechanism::{DriveLaws, Suspension, unit_change};
+use crate::mechanism::{Suspension, inputs_at_rest, unit_change};
 use crate::number::rounded;
 use crate::prepare::design::unsatisfied::Unsatisfied;
 use crate::prepare::task::Task;
@@ -78,8 +78,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         }
         None => model.drives_at(guess),
     };
-    let at_rest = DriveLaws::held(drives.values());
-    let inputs = at_rest.inputs::<L::Drives>(0.0);
+    let inputs = inputs_at_rest(drives);
     let mut q = model.unknowns(guess);
     let fixed = Prescribed::new(&model, &inputs).fixed.value;
     let off = unsatisfied(task, &model, guess);
@@ -117,8 +116,7 @@ fn unsatisfied<L: Suspension<N>, const N: usize>(
     if task.file.lengths.is_some() {
         return None;
     }
-    let drives = DriveLaws::held(model.drives_at(points).values());
-    let inputs = drives.inputs::<L::Drives>(0.0);
+    let inputs = inputs_at_rest(model.drives_at(points));
     let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
     let residual = model.residual(&model.unknowns(points), &fixed.value, &drives.value);
     Unsatisfied::find(&residual, model.size())

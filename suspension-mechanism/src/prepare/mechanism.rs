@@ -167,32 +167,23 @@ impl<const N: usize> Begin<N> {
         drives: DriveLaws,
         (doubts, notes): (&[String], &mut Vec<String>),
     ) -> Result<Self, Failure> {
-        let refused = |unreached: Failure, doubts: &[String]| {
-            assembled.outlier_first(doubts.iter().fold(unreached, doubted))
+        let at_design = Self::at_design(&assembled.design);
+        let begin = match &assembled.leading_measure {
+            _ if to == Start::Design => return Ok(at_design),
+            Some(leading) => Self::led(assembled, leading, &drives),
+            None => Self::driven(assembled, drives),
         };
-        match (&assembled.leading_measure, to) {
-            (_, Start::Design) => Ok(Self::at_design(&assembled.design)),
-            (None, _) => match Self::driven(assembled, drives) {
-                Err(unreached) if to == Start::WithinReach => {
-                    let why = unreached.to_string();
-                    notes.push(format!("{why}; it stays at the design position"));
-                    Ok(Self {
-                        out_of_reach: Some(why),
-                        ..Self::at_design(&assembled.design)
-                    })
-                }
-                begin => begin.map_err(|unreached| refused(unreached, doubts)),
-            },
-            (Some(leading), _) => {
-                // For starts other than the first instant, they become notes.
-                let doubts = if to == Start::FirstInstant {
-                    doubts
-                } else {
-                    &[]
-                };
-                let begin = Self::led(assembled, leading, &drives);
-                begin.map_err(|unreached| refused(unreached, doubts))
+        match begin {
+            Err(Failure::Solver(why)) if to == Start::WithinReach => {
+                notes.push(format!("{why}; it stays at the design position"));
+                Ok(Self {
+                    out_of_reach: Some(why),
+                    ..at_design
+                })
             }
+            begin => begin.map_err(|unreached| {
+                assembled.outlier_first(doubts.iter().fold(unreached, doubted))
+            }),
         }
     }
 

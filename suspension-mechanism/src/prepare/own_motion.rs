@@ -6,7 +6,6 @@ use crate::failure::Failure;
 use crate::interrupt::unless_set;
 use crate::mechanism::{End, Instants};
 use crate::prepare::loaded::Loaded;
-use crate::prepare::task::Start;
 
 /// The number of instants at which an interrupt is checked on the way.
 const LOOKS: usize = 101;
@@ -19,11 +18,7 @@ impl Loaded<'_> {
     ///
     /// [`Failure::Input`] with a place if the file is wrong.
     pub fn own_motion_ends(&self, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
-        let mechanism = match self.listing.kinematics(self.request(Start::WithinReach)) {
-            Ok(mechanism) => mechanism,
-            Err(Failure::Solver(out_of_reach)) => return Ok(Some(out_of_reach)),
-            Err(other) => return Err(other),
-        };
+        let mechanism = self.within_reach()?;
         if let Some(why) = &mechanism.out_of_reach {
             return Ok(Some(why.clone()));
         }

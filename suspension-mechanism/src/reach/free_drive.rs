@@ -117,8 +117,7 @@ fn station<L: Suspension<N>, const N: usize>(
     place: &Place<f64, N>,
 ) -> Station {
     let [first, _] = mechanism.instants.ends();
-    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
-    let drives = drives.with(index, place.value);
+    let drives = mechanism.start_drives().with(index, place.value);
     let state = State {
         residual: place.residual,
         ..mechanism.state_at_rest(first, &drives, curve.points(&place.configuration))

@@ -1,9 +1,10 @@
 //! The enumeration of assemblies against results of other methods.
 
-use nalgebra::{Const, DimMin, SVector};
-use suspension::assemblies::{Assemblies, Census, Enumerable};
+use nalgebra::SVector;
+use suspension::assemblies::{Assemblies, Census};
+use suspension::mechanism::Suspension;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::{Build, Inputs, Newton, Still};
+use suspension_core::{Inputs, Newton, Still};
 
 use super::random::Random;
 use crate::support::{self, INSTANTS};
@@ -17,15 +18,11 @@ fn side(q: &Vector, other: usize) -> f64 {
     u.cross(&v).dot(&w)
 }
 
-fn enumerate<L>(
+fn enumerate<L: Suspension<15>>(
     model: &L,
     rough: &L::Points,
     inputs: impl Fn(f64) -> Inputs<Still, L::Drives>,
-) -> Vec<Census<15>>
-where
-    L: Build<15, Scalar = f64> + Enumerable<15>,
-    Const<15>: DimMin<Const<15>, Output = Const<15>>,
-{
+) -> Vec<Census<15>> {
     let near = model.unknowns(rough);
     let mut search = Assemblies::new(model, &near, &inputs(0.0), &|_, _| true);
     let each = INSTANTS.iter();
@@ -35,7 +32,7 @@ where
 
 /// Newton's method from anywhere finds none that the list has not. Tells how many of the list it
 /// finds.
-fn search_at_random<L: Build<15, Scalar = f64> + Enumerable<15>>(
+fn search_at_random<L: Suspension<15>>(
     model: &L,
     near: &Vector,
     inputs: &Inputs<Still, L::Drives>,

@@ -1,8 +1,6 @@
 //! A motion along a drive or a measure, or the possible part of it.
 
-use crate::bake::fit::{MOST_SEGMENTS, Unmet};
-use crate::bake::widest::widest;
-use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
+use crate::bake::{Baked, Exact, MOST_SEGMENTS, OutOfReach, Unmet, Wanted, bake, widest};
 use crate::commands::bake::baking::{Baking, DIGITS, Variable};
 use crate::failure::Failure;
 use crate::mechanism::advice;

@@ -4,8 +4,7 @@ use std::str::FromStr;
 
 use suspension_core::SolveError;
 
-use crate::bake::OutOfReach;
-use crate::bake::fit::Unmet;
+use crate::bake::{OutOfReach, Unmet};
 use crate::commands::bake::baking::curve::Within;
 use crate::commands::bake::baking::variable::own_values;
 use crate::commands::bake::baking::{Baking, Variable};

@@ -1,7 +1,6 @@
 //! A motion along two drives.
 
-use crate::bake::surface::MOST_PATCHES;
-use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
+use crate::bake::{BakedSurface, Continuity, MOST_PATCHES, UnmetSurface, WantedSurface};
 use crate::commands::bake::baking::{Baking, Variable};
 use crate::failure::Failure;
 use crate::mechanism::advice;

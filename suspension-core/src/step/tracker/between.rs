@@ -136,12 +136,8 @@ impl<T: Real> Tracker<T> {
             Ok((next, advanced))
         };
         // From rest, in the same assembly: the last rates led the cubics astray.
-        let at_rest = Motion {
-            positive_determinant: motion.positive_determinant,
-            ..Motion::at_rest(motion.position)
-        };
         let (next, advanced) = along(Cubic::at, *motion)
-            .or_else(|stopped| along(Cubic::on_line, at_rest).map_err(|_| stopped))?;
+            .or_else(|failed| along(Cubic::on_line, motion.stopped()).map_err(|_| failed))?;
         *motion = next;
         Ok(advanced)
     }

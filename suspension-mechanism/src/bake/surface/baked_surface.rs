@@ -6,8 +6,7 @@ use crate::bake::driven::Output;
 use crate::bake::scheme::TERMS;
 use crate::bake::surface::wanted::WantedSurface;
 
-/// The largest differences between a surface and the motion: bounds from samples as in [`certify`](crate::bake::certify), in
-/// each direction.
+/// The largest differences between a surface and the motion: bounds from samples as for a curve, in each direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceReached {
     /// The difference of a position, in the unit of the hardpoints.

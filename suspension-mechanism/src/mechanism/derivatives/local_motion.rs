@@ -7,12 +7,13 @@ use std::rc::Rc;
 
 use nalgebra::SVector;
 use suspension_core::directions::Directions;
-use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
+use suspension_core::{Motion, Signal, SolveError, Values};
 
 use crate::mechanism::derivatives::gradient::{DRIVES_AT_ONCE, Graded};
 use crate::mechanism::derivatives::place_data::{DerivativeOrder, PlaceData, SharedRates};
 use crate::mechanism::derivatives::point_derivatives::{AlongDrive, Derivatives};
 use crate::mechanism::driven_linkage::Mechanism;
+use crate::mechanism::motion::drive_laws::inputs_at_rest;
 use crate::mechanism::points::Points;
 use crate::mechanism::state::{Moved, State};
 use crate::mechanism::suspension::Suspension;
@@ -50,8 +51,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             Ok::<R, SolveError<f64>>(work(&here))
         });
         regular.unwrap_or_else(|_| {
-            let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
-            let points = Motion::at_rest(*position).points(&self.model, &inputs);
+            let points = Motion::at_rest(*position).points(&self.model, &inputs_at_rest(drives));
             let places = self.listed(&points.value);
             work(&LocalMotion::new(self, drives, places, None, given))
         })

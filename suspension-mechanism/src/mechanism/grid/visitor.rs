@@ -155,8 +155,8 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
         let moved = moved.filter(|(drive, value)| *value != before[*drive]);
         let moved: Vec<(usize, f64)> = moved.collect();
         let mut motion = Motion {
-            positive_determinant: self.mechanism.start.positive_determinant,
-            ..Motion::at_rest(position)
+            position,
+            ..self.mechanism.start.stopped()
         };
         let report = self.mechanism.drive_to(&before, &moved, &mut motion).ok()?;
         let changes = moved
@@ -182,10 +182,7 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
         let [above, below] = grid.outwards(axis, &here.drives);
         for (upwards, way) in [(true, above), (false, below)] {
             let mut place = here.clone();
-            place.motion = Motion {
-                positive_determinant: here.motion.positive_determinant,
-                ..Motion::at_rest(here.motion.position)
-            };
+            place.motion = place.motion.stopped();
             for index in way {
                 if self.is_interrupted() {
                     return;

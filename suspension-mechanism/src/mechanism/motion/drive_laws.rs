@@ -63,6 +63,11 @@ impl DriveLaws {
 /// The number of steps that the way from one instant to the next may take.
 pub(crate) const MAX_STEPS: usize = 10_000;
 
+/// The inputs with drives that keep these values, and the chassis at rest.
+pub(crate) fn inputs_at_rest<D: Default>(drives: D) -> Inputs<Still, D> {
+    Inputs::still(Signal::still(drives))
+}
+
 /// A change of one drive by one.
 pub(crate) fn unit_change<D: Values<f64>>(drive: usize) -> D {
     D::from_values([]).with(drive, 1.0)

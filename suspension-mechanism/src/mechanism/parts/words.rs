@@ -36,7 +36,7 @@ pub(crate) fn value_in_words(value: f64, dimension: impl Into<Dimension>, unit: 
 }
 
 impl Names {
-    /// A drive's local value in words, such as `theta = 0.7 rad`.
+    /// A drive's value, in the file's coordinates, in words, such as `theta = 0.7 rad`.
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
         let Drive { name, kind } = &self.drives[drive];
         format!("{name} = {}", value_in_words(value, *kind, unit))

@@ -125,7 +125,7 @@ catalogue! {
                      stand alike, an anti-roll bar adds nothing to it",
         source: "virtual work",
         shown: Shown::InTables,
-        read: |names| springs::of_heave(names, |sprung| sprung.rate),
+        read: springs::of_heave,
     }
     ROLL_RATE: "roll rate of the axle" {
         name: "roll_rate",
@@ -135,6 +135,6 @@ catalogue! {
                      the front view",
         source: "virtual work; without the tyres",
         shown: Shown::InTables,
-        read: |names| springs::of_roll(names, |sprung| sprung.rate),
+        read: springs::of_roll,
     }
 }

@@ -90,26 +90,25 @@ pub(crate) fn of_wheels<N: Number>(
     })
 }
 
-/// A number of the springs at each wheel of an axle in heave, in which both centres rise by the same amount: each
+/// The rate of the springs at each wheel of an axle in heave, in which both centres rise by the same amount: each
 /// wheel has half of it.
-pub(crate) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
+pub(crate) fn of_heave<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::Stiffness, move |wheels, state| {
         let moved = state.moved_along(WheelMovement::Heave(wheels.map(|wheel| wheel.number)))?;
-        Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
+        Some(0.5 * Sprung::along(height(moved, wheels[0]), moved).rate)
     })
 }
 
-/// The same number for each axle in roll, in which one centre rises as the other falls, along the angle of the line
+/// The rate of the springs of each axle in roll, in which one centre rises as the other falls, along the angle of the line
 /// through them.
-pub(crate) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
+pub(crate) fn of_roll<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::AngularStiffness, move |wheels, state| {
         let moved = state.moved_along(WheelMovement::Roll(wheels.map(|wheel| wheel.number)))?;
         let reader = Reader::new(moved);
         let [left, right] = wheels.map(|rolling| reader.wheel(rolling).centre);
         let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
-        let sprung = Sprung::along(roll, moved);
         // Along an angle, a force is in newtons times the unit of length.
-        Some(value(sprung) / state.metre)
+        Some(Sprung::along(roll, moved).rate / state.metre)
     })
 }
 
