@@ -20,9 +20,9 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
         return mistake;
     }
     let message = message.trim_end().replace('\n', ", ");
-    let message = message.replace("expected f64", "expected a number");
-    let message = message.replace("expected a sequence", "expected a list in brackets, [...]");
-    let message = message.replace("unknown variant", "unknown word");
+    let message = WORDS.iter().fold(message, |message, [of_parser, ours]| {
+        message.replace(of_parser, ours)
+    });
     // With a suggestion, or in a known table, the list of all expected keys is omitted: it may be long.
     match (
         message.split_once(", expected"),
@@ -34,6 +34,16 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
         (_, hint) => message + &hint,
     }
 }
+
+/// Words of the parser, each with the one for authors of files.
+const WORDS: [[&str; 2]; 6] = [
+    ["expected f64", "expected a number"],
+    ["expected a sequence", "expected a list in brackets, [...]"],
+    ["expected a string", "expected a text in quotes"],
+    ["type: sequence", "type: list"],
+    ["type: map", "type: table"],
+    ["unknown variant", "unknown word"],
+];
 
 /// Says what to write in place of a mistake that begins at `start`; empty if that is unknown.
 fn hint(message: &str, source: &Source, start: usize) -> String {
@@ -64,9 +74,36 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
     } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
     {
         "; unit, angle and axes belong above the first table".to_owned()
+    } else if message.starts_with("invalid type") && !message.contains(": write") {
+        let example = example_of_key(key_at(source.text(), start));
+        let list = list_of_one(message, rest).filter(|_| example.is_empty());
+        list.unwrap_or_else(|| example.to_owned())
     } else {
         String::new()
     }
+}
+
+/// Returns the key whose value begins at `start`, or has an entry of its list there; empty if there is none.
+fn key_at(text: &str, start: usize) -> &str {
+    let (before, rest) = text.split_at_checked(start).unwrap_or((text, ""));
+    let is_end = |letter: char| !letter.is_alphanumeric() && letter != '_';
+    let is_header = before.is_empty() || before.ends_with('\n');
+    if let Some(header) = rest.strip_prefix("[[").filter(|_| is_header) {
+        let name = header.split(']').next().unwrap_or_default();
+        return name.rsplit('.').next().unwrap_or_default();
+    }
+    let (key, value) = before.rsplit_once('=').unwrap_or_default();
+    let is_within = value.trim().is_empty() || value.trim_start().starts_with('[');
+    let is_open = is_within && !value.contains([']', '{']);
+    let mut words = key.trim_end().rsplit(is_end).filter(|_| is_open);
+    words.next().unwrap_or_default()
+}
+
+/// Says how a single value is written as the list that is expected.
+fn list_of_one(message: &str, rest: &str) -> Option<String> {
+    let value = rest.split([',', ']', '}', '\n', '#']).next()?.trim();
+    let is_one = message.contains("expected a list") && !value.starts_with(['{', '[']);
+    is_one.then(|| format!("; write [{value}]"))
 }
 
 /// Returns a name that begins at `start` with the one before it and its point, `left.contact`, as one name.
@@ -147,6 +184,9 @@ fn example_of_key(key: &str) -> &'static str {
     match key {
         "unit" => "; write unit = \"m\", \"mm\" or \"in\", the unit of all lengths in the file",
         "time" => "; write [time] with start, stop and step, or with instants, in seconds",
+        "springs" => "; write [springs.NAME] with along and rate",
+        "loads" => "; write [loads.NAME] with a line for each load, see suspension loads --help",
+        "over" => "; write the range from the design position, as over = { bump = [-0.05, 0.05] }",
         "targets" => "; write [tune.targets.NAME], see suspension tune --help",
         "moves" => "; write [tune.moves.NAME], see suspension tune --help",
         "by" => "; write the box, from the least to the greatest, as by = [-0.010, 0.010]",

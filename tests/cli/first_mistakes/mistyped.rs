@@ -144,7 +144,7 @@ fn an_invalid_load_is_refused_with_its_syntax() {
     for (load, expected) in [
         (
             "[[loads.braking.forces]]\nat = \"contact\"\nforce = [100.0, 0.0, 3000.0]\n",
-            "a.toml:8:1: invalid type: map, expected a number",
+            "a.toml:8:1: invalid type: table, expected a number",
         ),
         (
             "[loads.braking]\ncontact = [100.0, \"none\", 3000.0]\n",

@@ -40,7 +40,7 @@ fn an_invalid_mass_is_refused_at_its_place() {
         (
             "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = { xx = 1.0 } }",
             "",
-            "invalid type: map, expected a list in brackets, [...]",
+            "invalid type: table, expected a list in brackets, [...]",
         ),
         (
             "upright = { mass = 1.0, centre = [nan, 1.0, 2.0] }",

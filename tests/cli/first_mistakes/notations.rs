@@ -1,0 +1,64 @@
+//! Values in another notation than the one that is wanted.
+
+use super::super::program::CORNER;
+use super::refusal;
+
+/// A move and a target of `tune`, with one line in place of another.
+fn tuned(from: &str, to: &str) -> String {
+    let tune = "[tune.moves.rack_height]\npoints = [\"rack\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
+                [tune.targets.bump_steer]\nof = \"toe\"\nover = { bump = [-0.05, 0.05] }\nvalue = 0.0\nwithin = 0.001\n";
+    assert!(tune.contains(from), "{from}");
+    format!("{CORNER}{}", tune.replace(from, to))
+}
+
+#[test]
+fn for_a_value_of_another_kind_its_notation_is_given() {
+    for (from, to, expected) in [
+        (
+            "by = [-0.01, 0.01]",
+            "by = 0.03",
+            "11:6: invalid type: floating point `0.03`, expected 2 numbers [from, to]; write the box, from the least to the greatest, \
+             as by = [-0.010, 0.010]",
+        ),
+        (
+            "points = [\"rack\"]",
+            "points = \"rack\"",
+            "9:10: invalid type: string \"rack\", expected a list in brackets, [...]; write [\"rack\"]",
+        ),
+        (
+            "value = 0.0",
+            "value = { csv = \"a.csv\", columns = [0, 1] }",
+            "15:37: invalid type: integer `0`, expected a text in quotes; write the headings of its two columns, as columns = [\"NAME\", \"NAME\"]",
+        ),
+        (
+            "over = { bump = [-0.05, 0.05] }",
+            "over = [-0.05, 0.05]",
+            "14:8: invalid type: list, expected a table with a line for each name; write the range from the design position, as over = \
+             { bump = [-0.05, 0.05] }",
+        ),
+        (
+            "of = \"toe\"",
+            "of = 5",
+            "13:6: invalid type: integer `5`, expected a text in quotes; write the name of a quantity, as of = \"toe\"",
+        ),
+    ] {
+        let message = refusal("tune", &[("a.toml", &tuned(from, to))], &[]);
+        assert_eq!(message, format!("a.toml:{expected}"));
+    }
+    for (from, to, expected) in [
+        (
+            "{ instants = [0.0] }",
+            "{ instants = 0.0 }",
+            "4:21: invalid type: floating point `0.0`, expected a list in brackets, [...]; write [0.0]",
+        ),
+        (
+            "[drives]\n",
+            "[[drives]]\n",
+            "5:1: invalid type: list, expected a table with a line for each name; write [drives] with a line for each drive, as bump = \
+             [0.30, 0.05]",
+        ),
+    ] {
+        let message = refusal("check", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        assert_eq!(message, format!("a.toml:{expected}"));
+    }
+}
