@@ -12,6 +12,7 @@ use crate::tables::entries::{Entries, Table};
 use crate::tables::loads::LoadCase;
 use crate::tables::mass::MassTable;
 use crate::tables::position::{Offset, Position};
+use crate::tables::several_notations::written_as_table;
 use crate::tables::spring::SpringTable;
 use crate::tables::stated_law::StatedLaw;
 use crate::tables::tune::TuneTable;
@@ -135,7 +136,7 @@ fn no_points() -> Table<Position> {
 
 /// The instants of the motion, in one of two forms: steps or a list.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct Time {
     /// The first instant, s.
     pub start: Option<Spanned<f64>>,
@@ -146,3 +147,5 @@ pub struct Time {
     /// A list of instants, s.
     pub instants: Option<Spanned<Vec<Spanned<f64>>>>,
 }
+
+written_as_table!(Time, "the instants of the motion under [time]");

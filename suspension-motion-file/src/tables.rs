@@ -6,7 +6,7 @@ pub(crate) mod mass;
 pub(crate) mod number_list;
 pub(crate) mod per_wheel;
 pub(crate) mod position;
-mod several_notations;
+pub(crate) mod several_notations;
 pub(crate) mod spring;
 pub(crate) mod stated_law;
 pub(crate) mod target_values;

@@ -8,8 +8,6 @@ use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
-use crate::tables::several_notations::{Written, read_written};
-
 /// Values by name, with the place of the table in the file.
 pub type Table<V> = Spanned<Entries<V>>;
 
@@ -95,44 +93,5 @@ impl<'de, V: Deserialize<'de>> Visitor<'de> for EntriesVisitor<V> {
         }
         entries.sort_by_key(|(name, _)| name.span().start);
         Ok(Entries(entries))
-    }
-}
-
-/// The keys of tables that have names, as `[springs.NAME]`.
-pub(crate) trait UnderName {
-    /// A description of the keys, and the heading to write.
-    const EXPECTED: &str;
-}
-
-/// Reads tables that have names. The error about keys without a name says what heading to write; a list is refused too,
-/// because serde would read its entries as keys in order.
-pub(crate) fn read_named_tables<'de, D, V>(deserializer: D) -> Result<Table<V>, D::Error>
-where
-    D: Deserializer<'de>,
-    V: UnderName + Deserialize<'de>,
-{
-    let stated = Table::<Keys<V>>::deserialize(deserializer)?;
-    let span = stated.span();
-    let each = stated.into_inner().0.into_iter();
-    let each = each.map(|(name, keys)| {
-        let place = keys.span();
-        (name, Spanned::new(place, keys.into_inner().0))
-    });
-    Ok(Spanned::new(span, Entries(each.collect())))
-}
-
-struct Keys<V>(V);
-
-impl<'de, V: UnderName + Deserialize<'de>> Deserialize<'de> for Keys<V> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        read_written(deserializer)
-    }
-}
-
-impl<'de, V: UnderName + Deserialize<'de>> Written<'de> for Keys<V> {
-    const EXPECTED: &'static str = V::EXPECTED;
-
-    fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
-        V::deserialize(table).map(Keys)
     }
 }

@@ -3,12 +3,11 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use crate::tables::several_notations::written_as_table;
+
 /// A spring along a measured length, or a bar about a measured angle.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "a spring, which has a name: write its lines under [springs.NAME]"
-)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct SpringTable {
     /// The measure.
     pub along: Spanned<String>,
@@ -18,6 +17,11 @@ pub struct SpringTable {
     #[serde(default = "nothing")]
     pub load: Spanned<f64>,
 }
+
+written_as_table!(
+    SpringTable,
+    "a spring, which has a name: write its lines under [springs.NAME]"
+);
 
 fn nothing() -> Spanned<f64> {
     Spanned::new(0..0, 0.0)

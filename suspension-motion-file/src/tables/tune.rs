@@ -3,21 +3,25 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::tables::entries::{Table, UnderName, read_named_tables};
+use crate::tables::entries::Table;
 use crate::tables::number_list::{NumberList, number_list};
+use crate::tables::several_notations::written_as_table;
 use crate::tables::target_values::{CsvTable, TargetValues};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct TuneTable {
     /// The moves by name.
-    #[serde(deserialize_with = "read_named_tables")]
     pub moves: Table<MoveTable>,
     /// The targets by name.
-    #[serde(deserialize_with = "read_named_tables")]
     pub targets: Table<TargetTable>,
 }
+
+written_as_table!(
+    TuneTable,
+    "moves and targets under [tune.moves.NAME] and [tune.targets.NAME]"
+);
 
 impl TuneTable {
     /// The files of measurements that the targets name.
@@ -35,7 +39,7 @@ impl TuneTable {
 
 /// A move of points that move together, or a change of a length.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct MoveTable {
     /// Points that move together.
     #[serde(default)]
@@ -52,9 +56,10 @@ pub struct MoveTable {
     pub by: Spanned<NumberList<2>>,
 }
 
-impl UnderName for MoveTable {
-    const EXPECTED: &str = "a move, which has a name: write its lines under [tune.moves.NAME]";
-}
+written_as_table!(
+    MoveTable,
+    "a move, which has a name: write its lines under [tune.moves.NAME]"
+);
 
 /// A direction in the file's axes.
 #[derive(Clone, Debug, Deserialize)]
@@ -80,7 +85,7 @@ pub enum AxisName {
 
 /// A quantity, where it is read, and its target value there.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct TargetTable {
     /// The quantity, by its name in tables without the unit: `toe`, `left_camber`, `roll_centre`, a measure.
     pub of: Spanned<String>,
@@ -97,6 +102,7 @@ pub struct TargetTable {
     pub within: Spanned<f64>,
 }
 
-impl UnderName for TargetTable {
-    const EXPECTED: &str = "a target, which has a name: write its lines under [tune.targets.NAME]";
-}
+written_as_table!(
+    TargetTable,
+    "a target, which has a name: write its lines under [tune.targets.NAME]"
+);

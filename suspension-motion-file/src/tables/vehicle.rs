@@ -4,11 +4,12 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::tables::per_wheel::PerWheel;
+use crate::tables::several_notations::written_as_table;
 use crate::{Axle, Torque};
 
 /// Data that quantities need in addition to the linkage.
 #[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct VehicleTable {
     /// The height of the wheel centre above the ground, in the unit of lengths.
     pub wheel_radius: Option<Spanned<PerWheel<f64>>>,
@@ -35,6 +36,8 @@ pub struct VehicleTable {
     /// The part that bears the torque of the drive; by default the chassis, or the body that carries both wheels.
     pub drive_torque: Option<Spanned<PerWheel<Torque>>>,
 }
+
+written_as_table!(VehicleTable, "lines under [vehicle], as wheel_radius = 0.3");
 
 impl VehicleTable {
     /// The table of a file that has none.

@@ -3,6 +3,11 @@
 use super::super::program::CORNER;
 use super::refusal;
 
+/// Inserts a line above the tables of the corner.
+fn with_line(line: &str) -> String {
+    CORNER.replacen("unit = \"m\"", &format!("unit = \"m\"\n{line}"), 1)
+}
+
 /// A move and a target of `tune`, with one line in place of another.
 fn tuned(from: &str, to: &str) -> String {
     let tune = "[tune.moves.rack_height]\npoints = [\"rack\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
@@ -60,5 +65,44 @@ fn for_a_value_of_another_kind_its_notation_is_given() {
     ] {
         let message = refusal("check", &[("a.toml", &CORNER.replace(from, to))], &[]);
         assert_eq!(message, format!("a.toml:{expected}"));
+    }
+}
+
+/// Of a struct serde reads a list as its keys in order: such a spring acted.
+#[test]
+fn a_list_in_place_of_a_table_is_refused() {
+    let spring = "a spring, which has a name: write its lines under [springs.NAME]";
+    for (line, place, expected) in [
+        (
+            "springs = { coil = [\"damper\", 28000.0, 3800.0] }",
+            "20",
+            spring,
+        ),
+        ("[[springs.coil]]\nalong = \"damper\"", "1", spring),
+        (
+            "tune = [1, 2]",
+            "8",
+            "moves and targets under [tune.moves.NAME] and [tune.targets.NAME]",
+        ),
+    ] {
+        let message = refusal("check", &[("a.toml", &with_line(line))], &[]);
+        let list = format!("a.toml:3:{place}: invalid type: list, expected {expected}");
+        assert_eq!(message, list);
+    }
+    for (from, to, expected) in [
+        (
+            "time = { instants = [0.0] }",
+            "time = [0.0, 1.0, 0.01]",
+            "a.toml:4:8: invalid type: list, expected the instants of the motion under [time]; write [time] with start, \
+             stop and step, or with instants, in seconds",
+        ),
+        (
+            "vehicle = { wheel_radius = 0.3 }",
+            "vehicle = [0.3]",
+            "a.toml:3:11: invalid type: list, expected lines under [vehicle], as wheel_radius = 0.3",
+        ),
+    ] {
+        let message = refusal("check", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        assert_eq!(message, expected);
     }
 }
