@@ -2,6 +2,7 @@
 
 use suspension_listing::did_you_mean::did_you_mean;
 
+use crate::other_names::key_meant;
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
@@ -51,6 +52,9 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
     let name = quoted.next().unwrap_or_default();
     let rest = source.text().get(start..).unwrap_or_default();
     if message.starts_with("unknown field") {
+        if let Some(key) = key_meant(name, quoted.clone()) {
+            return format!("; did you mean `{key}`?");
+        }
         match (joined(name, source.text(), start), place_among_keys(name)) {
             (Some(joined), _) if quoted.clone().eq(["force", "moment"]) => {
                 format!("; a part of a named wheel or side is written {joined}")

@@ -106,3 +106,34 @@ fn a_list_in_place_of_a_table_is_refused() {
         assert_eq!(message, expected);
     }
 }
+
+#[test]
+fn for_a_short_or_another_name_of_a_key_the_key_is_suggested() {
+    let sine = "{ mean = 0.3, amplitude = 0.05, frequency = 1.5 }";
+    let recording = "{ csv = \"a.csv\", columns = [\"t_s\", \"bump\"], factor = 0.001 }";
+    for (law, key, other) in [
+        (sine, "frequency", "freq"),
+        (sine, "amplitude", "amp"),
+        (sine, "mean", "center"),
+        (recording, "csv", "file"),
+        (recording, "factor", "scale"),
+    ] {
+        let law = law.replace(&format!("{key} ="), &format!("{other} ="));
+        let file = CORNER.replace("bump = 0.3", &format!("bump = {law}"));
+        let message = refusal("motion", &[("a.toml", &file)], &[]);
+        let expected = format!("unknown field `{other}`; did you mean `{key}`?");
+        assert!(message.ends_with(&expected), "{message}");
+    }
+    let message = refusal(
+        "check",
+        &[(
+            "a.toml",
+            &with_line("springs.coil = { along = \"damper\", stiffness = 28000.0 }"),
+        )],
+        &[],
+    );
+    assert!(
+        message.ends_with("unknown field `stiffness`; did you mean `rate`?"),
+        "{message}"
+    );
+}
