@@ -25,19 +25,29 @@ fn a_point_in_another_unit_is_reported_first_at_its_place() {
     assert_eq!(message.lines().count(), 2, "{message}");
 }
 
-/// An axle in inches is as large in mm as a small corner.
+/// An axle in inches is as large in mm as a small corner, and a car as a small axle.
 #[test]
-fn an_axle_in_another_unit_is_noted() {
+fn an_axle_or_a_car_in_another_unit_is_noted() {
     let folder = folder();
     let listed = run(folder.path(), &["list", "live_axle_panhard"]);
-    let inches = in_inches(text(&listed.stdout));
-    std::fs::write(folder.path().join("a.linkage"), inches).expect("written");
-    let motion = "listing = \"a.linkage\"\nunit = \"mm\"\n[time]\ninstants = [0.0]\n[drives]\n\
-                  bump_left = 12.2\nbump_right = 12.2\n";
-    std::fs::write(folder.path().join("a.toml"), motion).expect("written");
-    let output = run(folder.path(), &["check", "a.toml"]);
-    let expected = "mm apart: is the file in inches? (unit = \"in\")";
-    assert!(text(&output.stdout).contains(expected), "{output:?}");
+    let axle = in_inches(text(&listed.stdout));
+    std::fs::write(folder.path().join("axle.linkage"), axle).expect("written");
+    let car =
+        "include front: \"axle.linkage\";\ninclude rear: \"axle.linkage\" at [-102.0, 0.0, 0.0];\n";
+    std::fs::write(folder.path().join("car.linkage"), car).expect("written");
+    for (listing, ends) in [("axle", [""].as_slice()), ("car", &["front_", "rear_"])] {
+        let lines = ends
+            .iter()
+            .flat_map(|end| ["left", "right"].map(|side| format!("{end}bump_{side} = 12.2\n")));
+        let drives: String = lines.collect();
+        let motion = format!(
+            "listing = \"{listing}.linkage\"\nunit = \"mm\"\n[time]\ninstants = [0.0]\n[drives]\n{drives}"
+        );
+        std::fs::write(folder.path().join("a.toml"), motion).expect("written");
+        let output = run(folder.path(), &["check", "a.toml"]);
+        let expected = "mm apart: is the file in inches? (unit = \"in\")";
+        assert!(text(&output.stdout).contains(expected), "{output:?}");
+    }
 }
 
 /// A listing in metres with its points in inches.
