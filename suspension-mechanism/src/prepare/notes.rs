@@ -7,6 +7,7 @@ pub(super) mod listed_points;
 pub(super) mod missing_travel;
 pub(super) mod neither_side;
 mod numbers;
+pub(super) mod of_neither_axle;
 pub(super) mod one_sided_masses;
 pub(super) mod untwisted_bars;
 mod wheels;
