@@ -1,7 +1,9 @@
 //! Other names that authors of motion files may give to its keys.
 
 /// Keys, each with its other names.
-const OTHER_NAMES: [(&str, &[&str]); 14] = [
+const OTHER_NAMES: [(&str, &[&str]); 16] = [
+    ("points", &["hardpoints", "coordinates"]),
+    ("drives", &["inputs", "motion"]),
     ("csv", &["file", "path"]),
     ("columns", &["headings", "headers"]),
     ("factor", &["scale", "gain"]),

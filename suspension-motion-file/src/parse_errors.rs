@@ -1,5 +1,7 @@
 //! Errors of the TOML parser for a motion file, with what to write instead.
 
+mod syntax;
+
 use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::other_names::key_meant;
@@ -15,9 +17,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     if let Some(other) = other_kind(source) {
         return other;
     }
-    if message.starts_with("string values must be quoted")
-        && let Some(mistake) = mistaken_number(source.text(), start)
-    {
+    if let Some(mistake) = syntax::explained(message, source.text(), start) {
         return mistake;
     }
     let message = message.trim_end().replace('\n', ", ");
@@ -55,6 +55,9 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
         if let Some(key) = key_meant(name, quoted.clone()) {
             return format!("; did you mean `{key}`?");
         }
+        if quoted.clone().eq(["from", "offset"]) && ["x", "y", "z"].contains(&name) {
+            return "; coordinates are written [x, y, z]".to_owned();
+        }
         match (joined(name, source.text(), start), place_among_keys(name)) {
             (Some(joined), _) if quoted.clone().eq(["force", "moment"]) => {
                 format!("; a part of a named wheel or side is written {joined}")
@@ -69,13 +72,10 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
         }
     } else if let Some(number) = number_in_quotes(message) {
         format!("; write {number} without quotes")
-    } else if is_comma_between_digits(source.text(), start) {
-        "; a decimal separator is a point, as in 0.5".to_owned()
-    } else if message.starts_with("unexpected key or value") && rest.starts_with(',') {
-        LIST.to_owned()
     } else if message.starts_with("missing field") {
         example_of_key(name).to_owned() + &also_missing(name, source.text())
-    } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
+    } else if message.starts_with("invalid type: string")
+        && ["unit", "angle", "axes"].contains(&key_at(source.text(), start))
     {
         "; unit, angle and axes belong above the first table".to_owned()
     } else if message.starts_with("invalid type") && !message.contains(": write") {
@@ -117,31 +117,6 @@ fn joined(name: &str, text: &str, start: usize) -> Option<String> {
     Some(format!("{}_{name}", before.rsplit(is_end).next()?))
 }
 
-/// How several numbers are written.
-const LIST: &str = "; several numbers are written [0.1, 0.2, 0.3]";
-
-/// Says what is wrong with a value that begins like a number: a comma that is missing, as in `[0.1 0.2]`, or other signs.
-fn mistaken_number(text: &str, start: usize) -> Option<String> {
-    let value = text
-        .get(start..)?
-        .split([',', ']', '}', '\n', '#'])
-        .next()?;
-    let value = value.trim();
-    let begins = value.trim_start_matches(['+', '-', '.', ' ']);
-    if !begins.starts_with(|letter: char| letter.is_ascii_digit()) {
-        return None;
-    }
-    let mut words = value.split_whitespace();
-    let is_number = |word: &str| word.parse::<f64>().is_ok();
-    Some(match words.clone().collect::<Vec<_>>()[..] {
-        [first, ..] if words.all(is_number) => format!("a comma is missing behind {first}{LIST}"),
-        [first, unit] if is_number(first) && unit.chars().all(char::is_alphabetic) => {
-            format!("`{value}` is no number; write {first} without the unit")
-        }
-        _ => format!("`{value}` is no number{LIST}"),
-    })
-}
-
 /// Returns the number that stands in quotes where one is expected.
 fn number_in_quotes(message: &str) -> Option<&str> {
     let text = message.strip_prefix("invalid type: string \"")?;
@@ -160,15 +135,6 @@ fn symbol_meant(word: &str) -> Option<&'static str> {
         "radian" => Some("rad"),
         _ => None,
     }
-}
-
-fn is_comma_between_digits(text: &str, start: usize) -> bool {
-    let (before, behind) = text.split_at_checked(start).unwrap_or((text, ""));
-    let is_digit = |letter: char| letter.is_ascii_digit();
-    before.ends_with(is_digit)
-        && behind
-            .strip_prefix(',')
-            .is_some_and(|rest| rest.starts_with(is_digit))
 }
 
 /// Names the other required keys that are missing, which the parser would report one at a time.

@@ -137,3 +137,95 @@ fn for_a_short_or_another_name_of_a_key_the_key_is_suggested() {
         "{message}"
     );
 }
+
+#[test]
+fn a_line_in_another_notation_is_refused_with_what_to_write() {
+    for (from, to, expected) in [
+        (
+            "unit = \"m\"",
+            "unit = m",
+            "2:8: a text stands in straight quotes; write \"m\"",
+        ),
+        (
+            "unit = \"m\"",
+            "unit = “m”",
+            "2:8: a text stands in straight quotes; write \"m\"",
+        ),
+        (
+            "vehicle = { wheel_radius = 0.3 }",
+            "vehicle.axle = front",
+            "3:16: a text stands in straight quotes; write \"front\"",
+        ),
+        (
+            "steer = 0.34",
+            "steer =",
+            "7:8: the value is missing; write it behind the `=`",
+        ),
+        (
+            "steer = 0.34",
+            "steer = -30:30",
+            "7:9: `-30:30` is no number; several numbers are written [0.1, 0.2, 0.3]",
+        ),
+        (
+            "unit = \"m\"",
+            "unit: \"m\"",
+            "2:7: key with no value, expected `=`; write `=` in place of `:`",
+        ),
+        (
+            "unit = \"m\"",
+            "// Metres.\nunit = \"m\"",
+            "2:4: key with no value, expected `=`; a comment begins with #",
+        ),
+        (
+            "unit = \"m\"",
+            "unit = \"m\";",
+            "2:11: unexpected key or value, expected newline, `#`; a line ends without `;`",
+        ),
+        (
+            "steer = 0.34",
+            "steer = 0.34\nsteer = 0.3",
+            "8:1: duplicate key; `steer` is stated twice: leave one of them",
+        ),
+        (
+            "[drives]\n",
+            "[points]\nlower ball = [0.0, 0.7, 0.2]\n[drives]\n",
+            "6:7: key with no value, expected `=`; a line is written NAME = value, with `_` in place of blanks in the name",
+        ),
+        (
+            "[drives]\n",
+            "[points]\nlower_ball = { x = 0.0, y = 0.7, z = 0.2 }\n[drives]\n",
+            "6:16: unknown field `x`; coordinates are written [x, y, z]",
+        ),
+        (
+            "[drives]\n",
+            "[points]\nrack = [0.0, 0.7, 0.2\nlower_ball = [0.0, 0.7, 0.2]\n[drives]\n",
+            "7:1: missing comma between array elements, expected `,`; or the list before it lacks its `]`",
+        ),
+        (
+            "[drives]\n",
+            "[hardpoints]\n[drives]\n",
+            "5:2: unknown field `hardpoints`; did you mean `points`?",
+        ),
+    ] {
+        assert!(CORNER.contains(from), "{from}");
+        let message = refusal("check", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        assert_eq!(message, format!("a.toml:{expected}"), "{to}");
+    }
+}
+
+/// A formula is no misplaced unit.
+#[test]
+fn only_for_a_unit_among_drives_its_place_is_given() {
+    let place = "; unit, angle and axes belong above the first table";
+    for (to, has_place) in [
+        ("angle = \"deg\"\nbump = 0.3", true),
+        ("bump = \"0.3 + t\"", false),
+    ] {
+        let message = refusal(
+            "check",
+            &[("a.toml", &CORNER.replace("bump = 0.3", to))],
+            &[],
+        );
+        assert_eq!(message.ends_with(place), has_place, "{message}");
+    }
+}
