@@ -65,6 +65,19 @@ fn in_inches(listing: &str) -> String {
     })
 }
 
+/// The image that `mirror` makes is as far off, and no further from the point than the sides are apart.
+#[test]
+fn a_mirrored_point_in_another_unit_is_noted() {
+    let folder = folder();
+    let file = "unit = \"m\"\ntime = { instants = [0.0] }\ndrives = { left_bump = 300.0, right_bump = 300.0 }\nstatements = '''\n\
+                mirror: left -> right;\nfixed: left_a at [0.2, 0.3, 0.3], left_b at [-0.2, 0.3, 0.3];\n\
+                free: left_hub at [0.0, 0.7, 300.0];\nhinge left_arm: left_a, left_b -> left_hub;\ndrive left_bump: left_hub.z;\n'''\n";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    let expected = "`left_hub` lies 299.7 m from the other points: is it in mm?\n";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
+}
+
 #[test]
 fn a_buildable_point_in_another_unit_is_noted() {
     let folder = folder();
