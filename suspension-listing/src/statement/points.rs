@@ -116,7 +116,11 @@ struct Number(f64);
 impl Parse for Number {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let is_negative = input.parse::<Option<Token![-]>>()?.is_some();
+        let place = input.span();
         let number = number(input)?;
+        if let Ok(unit) = input.fork().parse::<Ident>() {
+            return Err(has_a_unit(place, &number.to_string(), &format!(" {unit}")));
+        }
         // The image of a zero must not be a negative zero.
         Ok(Self(if is_negative { 0.0 - number } else { number }))
     }
@@ -137,13 +141,17 @@ fn not_a_position(word: &Ident) -> Error {
 }
 
 fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
+    let comma = match count {
+        4.. => "; a decimal separator is a point, as in 0.5",
+        _ => "",
+    };
     Error::new(
         span,
-        format!("{what} has three coordinates, {count} are given; write `[x, y, z]`"),
+        format!("{what} has three coordinates, {count} are given; write `[x, y, z]`{comma}"),
     )
 }
 
-/// The error for `700mm`, which Rust reads as the number 700 with a suffix.
+/// The error for `700 mm`, and for `700mm`, which Rust reads as the number 700 with a suffix.
 fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
     Error::new(
         place,
