@@ -1,7 +1,7 @@
 //! Other names that authors of motion files may give to its keys.
 
 /// Keys, each with its other names.
-const OTHER_NAMES: [(&str, &[&str]); 16] = [
+const OTHER_NAMES: [(&str, &[&str]); 18] = [
     ("points", &["hardpoints", "coordinates"]),
     ("drives", &["inputs", "motion"]),
     ("csv", &["file", "path"]),
@@ -9,6 +9,8 @@ const OTHER_NAMES: [(&str, &[&str]); 16] = [
     ("factor", &["scale", "gain"]),
     ("mean", &["center", "centre", "average"]),
     ("centre", &["center", "cg"]),
+    ("moment", &["torque", "Mx", "My", "Mz"]),
+    ("force", &["Fx", "Fy", "Fz"]),
     ("frequency", &["hz", "period"]),
     ("rate", &["stiffness", "k"]),
     ("load", &["preload"]),
