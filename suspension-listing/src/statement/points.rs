@@ -75,7 +75,7 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
     let numbers = in_brackets(&content, Punctuated::<Number, Token![,]>::parse_terminated)?;
     let numbers: Vec<f64> = numbers.into_iter().map(|Number(value)| value).collect();
     Vector::try_from(numbers)
-        .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, numbers.len()))
+        .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, &numbers))
 }
 
 /// A number without sign.
@@ -140,10 +140,13 @@ fn not_a_position(word: &Ident) -> Error {
     )
 }
 
-fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
-    let comma = match count {
-        4.. => "; a decimal separator is a point, as in 0.5",
-        _ => "",
+fn not_three_coordinates(span: Span, what: &str, numbers: &[f64]) -> Error {
+    let count = numbers.len();
+    let is_split = count > 3 && numbers.iter().all(|number| number.fract() == 0.0);
+    let comma = if is_split {
+        "; a decimal separator is a point, as in 0.5"
+    } else {
+        ""
     };
     Error::new(
         span,
