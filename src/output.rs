@@ -11,6 +11,7 @@ pub mod notes;
 pub mod page;
 pub mod plot;
 pub mod progress;
+pub mod pulling;
 mod svg;
 pub mod svg_folder;
 pub mod text_table;

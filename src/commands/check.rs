@@ -2,7 +2,6 @@
 
 mod condition;
 mod near_lock;
-mod pulling;
 mod report;
 mod zero_length;
 
@@ -12,6 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 use suspension_runtime::Listing;
 
+use crate::characteristics::parameters;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -19,6 +19,7 @@ use crate::mechanism::Description;
 use crate::output::files::print;
 use crate::output::progress::Busy;
 use crate::output::progress::search::Search;
+use crate::output::pulling;
 use crate::prepare::load;
 use crate::reach::DriveRange;
 use condition::Condition;
@@ -107,8 +108,9 @@ fn notes(
     (file, mechanism, listing): (&str, &dyn Kinematics, &Listing),
     ranges: &[DriveRange],
 ) -> Vec<String> {
+    let of_design = parameters(mechanism, mechanism.unit);
     let own = near_lock::notes(mechanism, ranges)
-        .chain(pulling::notes(mechanism))
+        .chain(pulling::notes(&of_design))
         .chain(zero_length::notes(mechanism, listing));
     let own = own.map(|note| format!("{file}: {note}"));
     mechanism.notes.iter().cloned().chain(own).collect()

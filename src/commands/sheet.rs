@@ -25,6 +25,7 @@ use crate::output::default_path::target;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
 use crate::output::notes::{print_notes, print_notes_on, print_unmet_range, with_notes_printed};
+use crate::output::pulling;
 use crate::prepare::{Loaded, load};
 use page::Page;
 
@@ -97,6 +98,7 @@ impl Arguments {
         let notes: Vec<String> = shorter_roll(mechanism, self.travel)
             .into_iter()
             .chain(over_centre::notes(&mechanism.names, &curves, unit))
+            .chain(pulling::notes(&parameters))
             .collect();
         print_notes_on(name, &notes);
         let page = Page {

@@ -4,7 +4,7 @@
 const MISTYPED: usize = 2;
 
 /// `; did you mean ...?` with the nearest known name, or otherwise the two that end with the wanted one or begin with the same
-/// word, for example both ends of a damper; empty if there are none.
+/// word, for example both ends of a damper, or the only one for which the wanted one is short; empty if there are none.
 pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     match (
@@ -13,8 +13,18 @@ pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) 
     ) {
         (Some(name), _) => format!("; did you mean `{name}`?"),
         (None, Some([one, other])) => format!("; did you mean `{one}` or `{other}`?"),
-        (None, None) => String::new(),
+        (None, None) => match longer(wanted, &known) {
+            Some(name) => format!("; did you mean `{name}`?"),
+            None => String::new(),
+        },
     }
+}
+
+/// The only known name that begins with the wanted one.
+fn longer<'a>(wanted: &str, known: &[&'a str]) -> Option<&'a str> {
+    let begins = |name: &&&str| wanted.len() > MISTYPED && name.starts_with(wanted);
+    let mut longer = known.iter().filter(|name| **name != wanted).filter(begins);
+    longer.next().filter(|_| longer.next().is_none()).copied()
 }
 
 /// The two known names that end with the wanted one, as those of both sides, or else that begin with the first of several words of it,

@@ -230,6 +230,11 @@ fn base_of_marker(
             &from.span(),
             format!("point `{base}` is itself placed relative to another point"),
         )),
-        None => Err(source.refuse(&from.span(), format!("there is no point `{base}`"))),
+        None => {
+            let names = file.points.get_ref().names();
+            let hint = did_you_mean(base, names.map(|name| name.get_ref().as_str()));
+            let message = format!("there is no point `{base}`{hint}");
+            Err(source.refuse(&from.span(), message))
+        }
     }
 }

@@ -11,6 +11,7 @@ pub mod interrupt;
 mod leading_measure;
 mod motion_file;
 pub mod number;
+mod other_names;
 mod parse_errors;
 mod place_of_key;
 mod source;

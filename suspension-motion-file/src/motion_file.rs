@@ -136,7 +136,7 @@ fn no_points() -> Table<Position> {
 
 /// The instants of the motion, in one of two forms: steps or a list.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct Time {
     /// The first instant, s.
     pub start: Option<Spanned<f64>>,
@@ -148,7 +148,4 @@ pub struct Time {
     pub instants: Option<Spanned<Vec<Spanned<f64>>>>,
 }
 
-written_as_table!(
-    Time,
-    "a table with start, stop and step, or with instants, in seconds"
-);
+written_as_table!(Time, "the instants of the motion under [time]");

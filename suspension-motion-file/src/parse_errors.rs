@@ -1,7 +1,10 @@
 //! Errors of the TOML parser for a motion file, with what to write instead.
 
+mod syntax;
+
 use suspension_listing::did_you_mean::did_you_mean;
 
+use crate::other_names::key_meant;
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
@@ -14,15 +17,13 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     if let Some(other) = other_kind(source) {
         return other;
     }
-    if message.starts_with("string values must be quoted")
-        && let Some(mistake) = mistaken_number(source.text(), start)
-    {
+    if let Some(mistake) = syntax::explained(message, source.text(), start) {
         return mistake;
     }
     let message = message.trim_end().replace('\n', ", ");
-    let message = message.replace("expected f64", "expected a number");
-    let message = message.replace("expected a sequence", "expected a list in brackets, [...]");
-    let message = message.replace("unknown variant", "unknown word");
+    let message = WORDS.iter().fold(message, |message, [of_parser, ours]| {
+        message.replace(of_parser, ours)
+    });
     // With a suggestion, or in a known table, the list of all expected keys is omitted: it may be long.
     match (
         message.split_once(", expected"),
@@ -35,12 +36,28 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     }
 }
 
+/// Words of the parser, each with the one for authors of files.
+const WORDS: [[&str; 2]; 6] = [
+    ["expected f64", "expected a number"],
+    ["expected a sequence", "expected a list in brackets, [...]"],
+    ["expected a string", "expected a text in quotes"],
+    ["type: sequence", "type: list"],
+    ["type: map", "type: table"],
+    ["unknown variant", "unknown word"],
+];
+
 /// Says what to write in place of a mistake that begins at `start`; empty if that is unknown.
 fn hint(message: &str, source: &Source, start: usize) -> String {
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
     let rest = source.text().get(start..).unwrap_or_default();
     if message.starts_with("unknown field") {
+        if let Some(key) = key_meant(name, quoted.clone()) {
+            return format!("; did you mean `{key}`?");
+        }
+        if quoted.clone().eq(["from", "offset"]) && ["x", "y", "z"].contains(&name) {
+            return "; coordinates are written [x, y, z]".to_owned();
+        }
         match (joined(name, source.text(), start), place_among_keys(name)) {
             (Some(joined), _) if quoted.clone().eq(["force", "moment"]) => {
                 format!("; a part of a named wheel or side is written {joined}")
@@ -55,18 +72,42 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
         }
     } else if let Some(number) = number_in_quotes(message) {
         format!("; write {number} without quotes")
-    } else if is_comma_between_digits(source.text(), start) {
-        "; a decimal separator is a point, as in 0.5".to_owned()
-    } else if message.starts_with("unexpected key or value") && rest.starts_with(',') {
-        LIST.to_owned()
     } else if message.starts_with("missing field") {
         example_of_key(name).to_owned() + &also_missing(name, source.text())
-    } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
+    } else if message.starts_with("invalid type: string")
+        && ["unit", "angle", "axes"].contains(&key_at(source.text(), start))
     {
         "; unit, angle and axes belong above the first table".to_owned()
+    } else if message.starts_with("invalid type") && !message.contains(": write") {
+        let example = example_of_key(key_at(source.text(), start));
+        let list = list_of_one(message, rest).filter(|_| example.is_empty());
+        list.unwrap_or_else(|| example.to_owned())
     } else {
         String::new()
     }
+}
+
+/// Returns the key whose value begins at `start`, or has an entry of its list there; empty if there is none.
+fn key_at(text: &str, start: usize) -> &str {
+    let (before, rest) = text.split_at_checked(start).unwrap_or((text, ""));
+    let is_end = |letter: char| !letter.is_alphanumeric() && letter != '_';
+    let is_header = before.is_empty() || before.ends_with('\n');
+    if let Some(header) = rest.strip_prefix("[[").filter(|_| is_header) {
+        let name = header.split(']').next().unwrap_or_default();
+        return name.rsplit('.').next().unwrap_or_default();
+    }
+    let (key, value) = before.rsplit_once('=').unwrap_or_default();
+    let is_within = value.trim().is_empty() || value.trim_start().starts_with('[');
+    let is_open = is_within && !value.contains([']', '{']);
+    let mut words = key.trim_end().rsplit(is_end).filter(|_| is_open);
+    words.next().unwrap_or_default()
+}
+
+/// Says how a single value is written as the list that is expected.
+fn list_of_one(message: &str, rest: &str) -> Option<String> {
+    let value = rest.split([',', ']', '}', '\n', '#']).next()?.trim();
+    let is_one = message.contains("expected a list") && !value.starts_with(['{', '[']);
+    is_one.then(|| format!("; write [{value}]"))
 }
 
 /// Returns a name that begins at `start` with the one before it and its point, `left.contact`, as one name.
@@ -74,31 +115,6 @@ fn joined(name: &str, text: &str, start: usize) -> Option<String> {
     let before = text.get(..start)?.strip_suffix('.')?;
     let is_end = |letter: char| !letter.is_alphanumeric() && letter != '_';
     Some(format!("{}_{name}", before.rsplit(is_end).next()?))
-}
-
-/// How several numbers are written.
-const LIST: &str = "; several numbers are written [0.1, 0.2, 0.3]";
-
-/// Says what is wrong with a value that begins like a number: a comma that is missing, as in `[0.1 0.2]`, or other signs.
-fn mistaken_number(text: &str, start: usize) -> Option<String> {
-    let value = text
-        .get(start..)?
-        .split([',', ']', '}', '\n', '#'])
-        .next()?;
-    let value = value.trim();
-    let begins = value.trim_start_matches(['+', '-', '.', ' ']);
-    if !begins.starts_with(|letter: char| letter.is_ascii_digit()) {
-        return None;
-    }
-    let mut words = value.split_whitespace();
-    let is_number = |word: &str| word.parse::<f64>().is_ok();
-    Some(match words.clone().collect::<Vec<_>>()[..] {
-        [first, ..] if words.all(is_number) => format!("a comma is missing behind {first}{LIST}"),
-        [first, unit] if is_number(first) && unit.chars().all(char::is_alphabetic) => {
-            format!("`{value}` is no number; write {first} without the unit")
-        }
-        _ => format!("`{value}` is no number{LIST}"),
-    })
 }
 
 /// Returns the number that stands in quotes where one is expected.
@@ -121,15 +137,6 @@ fn symbol_meant(word: &str) -> Option<&'static str> {
     }
 }
 
-fn is_comma_between_digits(text: &str, start: usize) -> bool {
-    let (before, behind) = text.split_at_checked(start).unwrap_or((text, ""));
-    let is_digit = |letter: char| letter.is_ascii_digit();
-    before.ends_with(is_digit)
-        && behind
-            .strip_prefix(',')
-            .is_some_and(|rest| rest.starts_with(is_digit))
-}
-
 /// Names the other required keys that are missing, which the parser would report one at a time.
 fn also_missing(first: &str, text: &str) -> String {
     const NEEDED: [&str; 3] = ["unit", "time", "drives"];
@@ -147,6 +154,9 @@ fn example_of_key(key: &str) -> &'static str {
     match key {
         "unit" => "; write unit = \"m\", \"mm\" or \"in\", the unit of all lengths in the file",
         "time" => "; write [time] with start, stop and step, or with instants, in seconds",
+        "springs" => "; write [springs.NAME] with along and rate",
+        "loads" => "; write [loads.NAME] with a line for each load, see suspension loads --help",
+        "over" => "; write the range from the design position, as over = { bump = [-0.05, 0.05] }",
         "targets" => "; write [tune.targets.NAME], see suspension tune --help",
         "moves" => "; write [tune.moves.NAME], see suspension tune --help",
         "by" => "; write the box, from the least to the greatest, as by = [-0.010, 0.010]",
@@ -160,6 +170,10 @@ fn example_of_key(key: &str) -> &'static str {
         "amplitude" => "; write half of the distance between the ends, as amplitude = 0.05",
         "csv" => "; write the path of the file, as csv = \"logged.csv\"",
         "columns" => "; write the headings of its two columns, as columns = [\"NAME\", \"NAME\"]",
+        "centre" => "; write a point or coordinates, as centre = \"wheel_centre\"",
+        "mass" => "; write it in kg, as mass = 25.0",
+        "inertia" => "; write the moments of inertia in kg m^2, as inertia = [0.8, 1.2, 0.8]",
+        "from" => "; write the name of another point, as from = \"wheel_centre\"",
         "frequency" => "; write it in Hz, as frequency = 1.5",
         "drives" => "; write [drives] with a line for each drive, as bump = [0.30, 0.05]",
         _ => "",

@@ -6,7 +6,7 @@ use super::program::{CORNER, edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 77] = [
+const BAD: [Case; 78] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -18,6 +18,7 @@ const BAD: [Case; 77] = [
     ("p2", "p2 = [0.1, inf, 0.1]", ":13:6", "`p2`"),
     ("p2", "p2 = [0.1, 0.1]", ":13:6", "3 numbers are wanted here, [x, y, z], not 2\n"),
     ("p2", "p2 = [0,1, 0,2, 0,3]", ":13:6", "3 numbers are wanted here, [x, y, z], not 6; a decimal separator is a point, as in 0.5\n"),
+    ("p2", "p2 = [0.1, 0.2, 0.3, 1.0]", ":13:6", "3 numbers are wanted here, [x, y, z], not 4\n"),
     ("p2", "p2 = [-1.396, -0.025, -0.082]", ":13:6", "same place as point `p1`"),
     ("p2", "p2 = { from = \"p1\", offset = [0, 0, 1] }", ":13:6", "`p2` is not a marker"),
     ("p11", "p11 = { from = \"p99\", offset = [0, 0.1, 0] }", ":26:16", "no point `p99`"),

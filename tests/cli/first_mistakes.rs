@@ -3,6 +3,7 @@
 mod in_line;
 mod missing;
 mod mistyped;
+mod notations;
 mod time;
 mod units;
 

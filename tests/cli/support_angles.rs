@@ -222,3 +222,37 @@ fn dual_wheels_on_one_side_are_not_an_axle() {
     }
     assert!(count > 30, "{count}");
 }
+
+/// A car with a third axle: the quantities are of the front and the rear one.
+#[test]
+fn a_share_of_a_third_axle_is_noted() {
+    let axles = ["front", "rear", "third"];
+    let arms = [("front", 0.0), ("rear", -2.6), ("third", -3.6)].map(|(axle, x)| {
+        let ahead = x + 0.3;
+        format!(
+            "fixed: {axle}_left_a at [{ahead:?}, 0.5, 0.4], {axle}_left_b at [{ahead:?}, 0.3, 0.4];\n\
+             free: {axle}_left_hub at [{x:?}, 0.7, 0.3];\n\
+             hinge {axle}_left_arm: {axle}_left_a, {axle}_left_b -> {axle}_left_hub;\n\
+             point {axle}_left_axle: {axle}_left_arm at [{x:?}, 0.6, 0.3];\n\
+             drive {axle}_left_bump: {axle}_left_hub.z;\nwheel {axle}_left: {axle}_left_axle -> {axle}_left_hub;\n"
+        )
+    });
+    let sides = ["left", "right"];
+    let drives = axles.map(|axle| {
+        sides
+            .map(|side| format!("{axle}_{side}_bump = 0.3\n"))
+            .concat()
+    });
+    let file = format!(
+        "unit = \"m\"\nstatements = \"\"\"\nmirror: left -> right;\n{}\"\"\"\n[vehicle]\nwheelbase = 2.6\ncg_height = 0.5\n\
+         brake_share = {{ front = 0.5, third = 0.2 }}\n[time]\ninstants = [0.0]\n[drives]\n{}",
+        arms.concat(),
+        drives.concat()
+    );
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["check", "a.toml"]);
+    let expected = "anti-dive, anti-lift and anti-squat are left out for `third_left` and `third_right`, whose share of the force has no \
+                    effect: they are quantities of wheels that have `front` or `rear` in their names\n";
+    assert!(text(&output.stdout).contains(expected), "{output:?}");
+}

@@ -198,6 +198,16 @@ impl Names {
         self.meant(name, all(&self.points).collect())
     }
 
+    /// Returns the code of a corner within an unknown name, and the word that would make the name known: `FR` for front.
+    pub(super) fn code_meant(&self, name: &str) -> Option<[&'static str; 2]> {
+        CODES_AND_ENDS.into_iter().find(|[code, end]| {
+            let words = name.split('_');
+            let words = words.map(|word| if word == *code { end } else { word });
+            let meant = words.collect::<Vec<_>>().join("_");
+            meant != name && self.is_point(&meant)
+        })
+    }
+
     /// Returns what to do about an unknown name of a number, for example the name that may have been meant.
     pub(super) fn number_advice(&self, name: &str) -> Option<String> {
         let form = self.normal(name);
@@ -236,6 +246,9 @@ fn spellings<'a>(
     let others = table.get(own).into_iter().flatten().map(String::as_str);
     [own].into_iter().chain(others)
 }
+
+/// Codes of corners that are also short for an end.
+const CODES_AND_ENDS: [[&str; 2]; 2] = [["fr", "front"], ["rr", "rear"]];
 
 /// Words of headings in other languages that English has too: `Rear links` and `drive train` say nothing of sides and axles.
 const ENGLISH_TOO: [&str; 6] = ["links", "train", "as", "ad", "re", "post"];

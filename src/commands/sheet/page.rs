@@ -23,7 +23,7 @@ pub(super) struct Page<'a> {
     pub(super) drives: String,
     /// The time and cause of an early end of the file's own motion.
     pub(super) motion_ends: Option<String>,
-    /// Sentences on the range of the curves over roll, if that is shorter than the travel, and on springs that turn within it.
+    /// Sentences on the range of the curves over roll, if that is shorter than the travel, and on springs that turn within it or pull a wheel up.
     pub(super) notes: Vec<String>,
     /// Sentences on curves that could not be solved.
     pub(super) missing: Vec<String>,

@@ -21,7 +21,9 @@ pub(crate) fn report_one_side(listing: &Listing, errors: Errors) -> Errors {
         let is_reported = |sides: &Sides| {
             let of_original = sides.exchanged(&message);
             let mut reported = reported.iter();
-            reported.any(|(at, other)| is_same(*at, place) && *other == of_original)
+            reported.any(|(at, other)| {
+                is_same(*at, place) && without_suggestion(other) == without_suggestion(&of_original)
+            })
         };
         if sides.iter().any(is_reported) {
             continue;
@@ -46,6 +48,14 @@ pub(crate) fn report_one_side(listing: &Listing, errors: Errors) -> Errors {
         reported.push((place, message));
     }
     of_one_side
+}
+
+/// A message without the names that may have been meant, which may be of both sides.
+fn without_suggestion(message: &str) -> &str {
+    let (mistake, _) = message
+        .split_once("; did you mean")
+        .unwrap_or((message, ""));
+    mistake
 }
 
 /// The statement in a message about an image that has no image and should have one.

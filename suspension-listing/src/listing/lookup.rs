@@ -62,10 +62,10 @@ impl Listing {
             && !statements.any(|statement| statement.moves() == Some(point))
     }
 
-    /// Whether all names are declared; one that is not is reported as an operand.
-    pub(crate) fn declares<'a>(&self, names: impl IntoIterator<Item = &'a Ident>) -> bool {
-        let is_declared = |name: &Ident| self.declared().any(|(declared, _)| declared == name);
-        names.into_iter().all(is_declared)
+    /// Whether all names are points other than markers; one that is not is reported as an operand.
+    pub(crate) fn has_points<'a>(&self, names: impl IntoIterator<Item = &'a Ident>) -> bool {
+        let is_point = |name: &Ident| self.points().any(|point| point == name);
+        names.into_iter().all(is_point)
     }
 
     /// Whether two points keep their distance: by an equation, in a body or on the chassis.

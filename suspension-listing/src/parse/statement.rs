@@ -59,9 +59,25 @@ fn words() -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
+/// Statements, each with parts of suspensions that it may state.
+const PARTS: [(&str, &[&str]); 4] = [
+    ("hinge", &["arm", "wishbone", "rocker", "revolute"]),
+    ("body", &["upright", "knuckle", "carrier", "part"]),
+    ("link", &["rod", "bar", "pushrod"]),
+    ("measure", &["spring", "damper", "length"]),
+];
+
 fn unknown_statement(word: &Ident) -> syn::Error {
     let known = STATEMENTS.iter().map(|other| other.word);
-    let hint = did_you_mean(&word.to_string(), known);
+    let mut parts = PARTS.iter();
+    let part = parts.find(|(_, parts)| parts.iter().any(|part| word == *part));
+    let statement = STATEMENTS
+        .iter()
+        .find(|other| part.is_some_and(|(statement, _)| other.word == *statement));
+    let hint = match statement {
+        Some(Word { syntax, .. }) => format!("; a part like this is stated as `{syntax}`"),
+        None => did_you_mean(&word.to_string(), known),
+    };
     errors::at(
         word,
         format!("unknown statement `{word}`; write one of {}{hint}", words()),

@@ -75,7 +75,7 @@ impl Statement for Angle {
 
     /// Checks that the lines keep their lengths, and that they do not belong to one body.
     fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
-        if !listing.declares(self.operands()) {
+        if !listing.has_points(self.operands()) {
             return;
         }
         if let Some(body) = system.body_of(self.operands()) {

@@ -42,7 +42,13 @@ pub(super) const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "an
 /// A name of the catalogue, or a file's path in quotes.
 fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<Source> {
     if !input.peek(LitStr) {
-        return operands::name(input).map(Source::OfCatalogue);
+        let linkage = operands::name(input)?;
+        if input.peek(Token![.]) || input.peek(Token![/]) {
+            let message =
+                format!("a file stands in quotes, as in `include {name}: \"corner.linkage\";`");
+            return Err(errors::at(&linkage, message));
+        }
+        return Ok(Source::OfCatalogue(linkage));
     }
     let path: LitStr = input.parse()?;
     if path.value().is_empty() {

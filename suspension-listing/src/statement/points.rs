@@ -75,7 +75,7 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
     let numbers = in_brackets(&content, Punctuated::<Number, Token![,]>::parse_terminated)?;
     let numbers: Vec<f64> = numbers.into_iter().map(|Number(value)| value).collect();
     Vector::try_from(numbers)
-        .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, numbers.len()))
+        .map_err(|numbers| not_three_coordinates(bracket.span.join(), what, &numbers))
 }
 
 /// A number without sign.
@@ -116,7 +116,11 @@ struct Number(f64);
 impl Parse for Number {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let is_negative = input.parse::<Option<Token![-]>>()?.is_some();
+        let place = input.span();
         let number = number(input)?;
+        if let Ok(unit) = input.fork().parse::<Ident>() {
+            return Err(has_a_unit(place, &number.to_string(), &format!(" {unit}")));
+        }
         // The image of a zero must not be a negative zero.
         Ok(Self(if is_negative { 0.0 - number } else { number }))
     }
@@ -136,14 +140,21 @@ fn not_a_position(word: &Ident) -> Error {
     )
 }
 
-fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
+fn not_three_coordinates(span: Span, what: &str, numbers: &[f64]) -> Error {
+    let count = numbers.len();
+    let is_split = count > 3 && numbers.iter().all(|number| number.fract() == 0.0);
+    let comma = if is_split {
+        "; a decimal separator is a point, as in 0.5"
+    } else {
+        ""
+    };
     Error::new(
         span,
-        format!("{what} has three coordinates, {count} are given; write `[x, y, z]`"),
+        format!("{what} has three coordinates, {count} are given; write `[x, y, z]`{comma}"),
     )
 }
 
-/// The error for `700mm`, which Rust reads as the number 700 with a suffix.
+/// The error for `700 mm`, and for `700mm`, which Rust reads as the number 700 with a suffix.
 fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
     Error::new(
         place,

@@ -56,7 +56,7 @@ impl Statement for Slide {
     /// Checks that the line keeps its length, and that the point is not fixed to it.
     fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
         let [point, from, to] = &self.points;
-        if !listing.declares(&self.points) || from == to {
+        if !listing.has_points(&self.points) || from == to {
             return;
         }
         if let Some(body) = system.body_of(&self.points) {

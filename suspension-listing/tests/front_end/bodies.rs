@@ -71,6 +71,16 @@ fn for_a_marker_in_line_with_its_body_a_slide_is_proposed() {
     text::parse(&mended, "mended", &NoIncludes).expect("nothing else to mend");
 }
 
+/// That nothing holds the ends of its line at a constant distance would be a consequence.
+#[test]
+fn for_a_marker_at_the_end_of_a_line_to_slide_on_there_is_one_message() {
+    let text = "fixed: a, b, top;\nfree: p, q, r;\nbody knuckle: p, q, r;\npoint axle: knuckle;\n\
+                link one: a -> p; link two: b -> p; link three: a -> q;\nslide strut: top on axle -> q;\ndrive z: q.z;\n";
+    let expected =
+        "`axle` is a marker and has no unknowns; declare it under `free:` and list it in its body";
+    assert_eq!(only_message(text), expected);
+}
+
 /// A body of two points may be a link beside a point that slides on it.
 #[test]
 fn for_a_marker_in_line_with_two_points_a_slide_is_proposed() {

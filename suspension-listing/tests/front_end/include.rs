@@ -130,6 +130,10 @@ fn a_failed_include_is_refused_at_its_statement() {
         ),
         ("include left: axle;", "vehicle:1:15: no catalogue"),
         (
+            "include left: corner.linkage;",
+            "vehicle:1:15: a file stands in quotes, as in `include left: \"corner.linkage\";`",
+        ),
+        (
             "include left: \"wrong\";",
             "vehicle:1:15: wrong:2:10: expected `:`; a `link` is written `link rod: a -> c;`",
         ),

@@ -218,6 +218,41 @@ fn a_number_with_a_unit_is_refused() {
 }
 
 #[test]
+fn a_unit_or_a_comma_within_coordinates_is_refused_with_what_to_write() {
+    for (position, expected) in [
+        (
+            "[700 mm, 0, 0]",
+            "a number may not have a unit; write `700` in place of `700 mm`: all lengths of a listing are in one unit",
+        ),
+        (
+            "[0,7, 0,1, 0,2]",
+            "a design position has three coordinates, 6 are given; write `[x, y, z]`; a decimal separator is a point, as in 0.5",
+        ),
+    ] {
+        let reported = mistakes(&format!("fixed: a at {position};"));
+        let mut messages = reported.iter().map(|mistake| mistake.message.as_str());
+        assert!(messages.any(|message| message == expected), "{reported:?}");
+    }
+}
+
+#[test]
+fn for_a_part_that_is_no_statement_one_that_states_it_is_given() {
+    for (word, syntax) in [
+        ("wishbone", "hinge arm: a, b -> c, d;"),
+        ("upright", "body plate: c, d, e;"),
+        ("spring", "measure gauge: length(a -> hub);"),
+    ] {
+        let reported = mistakes(&format!("fixed: a;\nfree: p;\n{word} one: a -> p;"));
+        let expected = format!("; a part like this is stated as `{syntax}`");
+        let mut messages = reported.iter().map(|mistake| mistake.message.as_str());
+        assert!(
+            messages.any(|message| message.ends_with(&expected)),
+            "{reported:?}"
+        );
+    }
+}
+
+#[test]
 fn an_invalid_token_is_reported() {
     for (text, message) in [
         ("fixed: a at [0, 1, 2;", "`[` is not closed; close it"),

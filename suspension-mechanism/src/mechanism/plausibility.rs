@@ -44,7 +44,9 @@ impl DriveAtDesign<'_> {
                     let (name, file) = (&self.drive.name, self.unit.length.in_words());
                     format!("is `{name}` in {unit}? The file is in {file}")
                 });
-                other_unit.or_else(|| self.counted_otherwise(ends, from, self.size, way))
+                let other_unit =
+                    other_unit.or_else(|| self.counted_otherwise(ends, from, self.size, way));
+                other_unit.or_else(|| self.opposite(ends, from, way))
             }
             DriveKind::Angle => self.counted_otherwise(ends, from, TAU, way),
             DriveKind::Turn => None,
@@ -81,6 +83,24 @@ impl DriveAtDesign<'_> {
         Some(format!(
             "`{name}` takes {takes}, not {not}: `{name}` is {design} {symbol} at the design position{way}"
         ))
+    }
+
+    /// The doubt that values seem to have the wrong sign, as those of the rack's other end in its mirror image.
+    fn opposite(
+        &self,
+        [least, greatest]: [f64; 2],
+        from: CountedFrom,
+        way: &str,
+    ) -> Option<String> {
+        let margin = AT_DESIGN * self.design.abs();
+        let spans = |value: f64| (least - margin..=greatest + margin).contains(&value);
+        let is_elsewhere = self.design.abs() > SMALL * self.size;
+        let is_opposite = from == CountedFrom::Zero && spans(-self.design) && !spans(self.design);
+        (is_elsewhere && is_opposite).then(|| {
+            let (name, symbol) = (&self.drive.name, self.unit.length.symbol());
+            let design = rounded(self.design, DIGITS);
+            format!("is the sign of `{name}` right? `{name}` is {design} {symbol} at the design position{way}")
+        })
     }
 
     /// The units in which the values would be those of a motion, if they are not in the unit of the file.

@@ -144,7 +144,14 @@ fn read_listing_file(
         let message = "`listing` names no file; write the path of a file of statements, as listing = \"corner.linkage\"";
         return Err(source.refuse(&place, message));
     }
-    let text = source.read_beside(path)?;
+    let text = source.read_beside(path).map_err(|unread| {
+        let name = path.get_ref();
+        let message = format!(
+            "there is no file `{name}`; for the layout of the catalogue write linkage = \"{name}\""
+        );
+        let of_catalogue = catalogue::listing(name);
+        of_catalogue.map_or(unread, |_| source.refuse(&place, message))
+    })?;
     let parsed = included::parsed(text.text(), text.name());
     let parsed = parsed.map_err(|mistakes| refused(&text, &mistakes))?;
     included::check_unit(source, file, place, &parsed)?;

@@ -7,6 +7,7 @@ pub(super) mod listed_points;
 pub(super) mod missing_travel;
 pub(super) mod neither_side;
 mod numbers;
+pub(super) mod of_neither_axle;
 pub(super) mod one_sided_masses;
 pub(super) mod untwisted_bars;
 mod wheels;
@@ -25,10 +26,11 @@ pub(super) use numbers::{length, short_of_stop};
 use numbers::{lengths, rates};
 use wheels::{diameter, named_side, notes_on_wheel};
 
-/// The limits of a suspension's size, in metres: the largest, and after it the smallest of a corner and of an axle.
+/// The limits of a suspension's size, in metres: the largest, and after it the smallest of a corner, of an axle, and of both axles.
 const LARGEST: f64 = 10.0;
 const SMALLEST: f64 = 0.03;
 const SMALLEST_AXLE: f64 = 3.0 * SMALLEST;
+const SMALLEST_CAR: f64 = 2.0 * SMALLEST_AXLE;
 
 /// The distance of a guess from the assembled position, in metres, above which it looks like an intended change: the
 /// coordinates that Attia 2003 prints beside its lengths are 23 mm off.
@@ -116,7 +118,8 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     let other = Length::guess_from_size(apart);
     let smallest = match task.names.wheels.len() {
         0 | 1 => SMALLEST,
-        _ => SMALLEST_AXLE,
+        2 => SMALLEST_AXLE,
+        _ => SMALLEST_CAR,
     };
     if (smallest..LARGEST).contains(&(apart / unit.metre())) || other == unit {
         return None;

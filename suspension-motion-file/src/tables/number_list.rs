@@ -55,7 +55,8 @@ impl<'de, const N: usize> Visitor<'de> for List<N> {
             list.push(number);
         }
         <[f64; N]>::try_from(list.as_slice()).map_err(|_| {
-            let comma = if list.len() > N {
+            let is_whole = |number: &f64| number.fract() == 0.0;
+            let comma = if list.len() > N && list.iter().all(is_whole) {
                 "; a decimal separator is a point, as in 0.5"
             } else {
                 ""

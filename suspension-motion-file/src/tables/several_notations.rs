@@ -43,6 +43,28 @@ where
     deserializer.deserialize_any(WrittenVisitor(PhantomData))
 }
 
+/// Lets a type that derives `Deserialize` with `remote = "Self"` be written as a table only: serde would also read a list as
+/// its keys in order.
+macro_rules! written_as_table {
+    ($Table:ty, $expected:literal) => {
+        impl<'de> serde::Deserialize<'de> for $Table {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                $crate::tables::several_notations::read_written(deserializer)
+            }
+        }
+
+        impl<'de> $crate::tables::several_notations::Written<'de> for $Table {
+            const EXPECTED: &'static str = $expected;
+
+            fn table<D: serde::Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+                Self::deserialize(table)
+            }
+        }
+    };
+}
+
+pub(crate) use written_as_table;
+
 struct WrittenVisitor<V>(PhantomData<V>);
 
 impl<'de, V: Written<'de>> Visitor<'de> for WrittenVisitor<V> {
@@ -72,25 +94,3 @@ impl<'de, V: Written<'de>> Visitor<'de> for WrittenVisitor<V> {
         V::table(MapAccessDeserializer::new(table))
     }
 }
-
-/// Reads a type as a table alone. The type has the attribute `#[serde(remote = "Self")]`: its own function `deserialize` is
-/// then what serde derives, which would take the entries of a list as keys in order.
-macro_rules! written_as_table {
-    ($table:ty, $expected:literal) => {
-        impl<'de> serde::Deserialize<'de> for $table {
-            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                $crate::tables::several_notations::read_written(deserializer)
-            }
-        }
-
-        impl<'de> $crate::tables::several_notations::Written<'de> for $table {
-            const EXPECTED: &'static str = $expected;
-
-            fn table<D: serde::Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
-                Self::deserialize(table)
-            }
-        }
-    };
-}
-
-pub(crate) use written_as_table;

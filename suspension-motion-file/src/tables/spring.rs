@@ -7,7 +7,7 @@ use crate::tables::several_notations::written_as_table;
 
 /// A spring along a measured length, or a bar about a measured angle.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct SpringTable {
     /// The measure.
     pub along: Spanned<String>,

@@ -10,7 +10,7 @@ use crate::tables::target_values::{CsvTable, TargetValues};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct TuneTable {
     /// The moves by name.
     pub moves: Table<MoveTable>,
@@ -20,7 +20,7 @@ pub struct TuneTable {
 
 written_as_table!(
     TuneTable,
-    "tables [tune.moves.NAME] and [tune.targets.NAME]"
+    "moves and targets under [tune.moves.NAME] and [tune.targets.NAME]"
 );
 
 impl TuneTable {
@@ -39,7 +39,7 @@ impl TuneTable {
 
 /// A move of points that move together, or a change of a length.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct MoveTable {
     /// Points that move together.
     #[serde(default)]
@@ -85,7 +85,7 @@ pub enum AxisName {
 
 /// A quantity, where it is read, and its target value there.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct TargetTable {
     /// The quantity, by its name in tables without the unit: `toe`, `left_camber`, `roll_centre`, a measure.
     pub of: Spanned<String>,

@@ -9,7 +9,7 @@ use crate::{Axle, Torque};
 
 /// Data that quantities need in addition to the linkage.
 #[derive(Clone, Debug, Default, Deserialize)]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct VehicleTable {
     /// The height of the wheel centre above the ground, in the unit of lengths.
     pub wheel_radius: Option<Spanned<PerWheel<f64>>>,
@@ -37,10 +37,7 @@ pub struct VehicleTable {
     pub drive_torque: Option<Spanned<PerWheel<Torque>>>,
 }
 
-written_as_table!(
-    VehicleTable,
-    "a table with lines such as wheel_radius = 0.30"
-);
+written_as_table!(VehicleTable, "lines under [vehicle], as wheel_radius = 0.3");
 
 impl VehicleTable {
     /// The table of a file that has none.

@@ -92,39 +92,6 @@ fn for_a_table_without_a_name_the_heading_to_write_is_given() {
     }
 }
 
-/// A list is no table, although its entries may be as many as the table has keys.
-#[test]
-fn a_list_in_place_of_a_table_is_refused() {
-    let layout = "linkage = \"trailing_arm\"\nunit = \"m\"\n";
-    for (lines, expected) in [
-        (
-            "time = [0.0, 1.0, 0.1, [0.0]]\n",
-            "a table with start, stop and step, or with instants, in seconds",
-        ),
-        (
-            "springs = { coil = [\"bump\", 20000.0, 0.0] }\ntime = { instants = [0.0] }\n",
-            "a spring, which has a name: write its lines under [springs.NAME]",
-        ),
-        (
-            "tune = [{}, {}]\ntime = { instants = [0.0] }\n",
-            "tables [tune.moves.NAME] and [tune.targets.NAME]",
-        ),
-        (
-            "vehicle = [0.3]\ntime = { instants = [0.0] }\n",
-            "a table with lines such as wheel_radius = 0.30",
-        ),
-        (
-            "points = [0.3]\ntime = { instants = [0.0] }\n",
-            "a table with a line for each name",
-        ),
-    ] {
-        let file = format!("{layout}{lines}[drives]\nbump = 0.3\n");
-        let message = refusal("motion", &[("a.toml", &file)], &[]);
-        let expected = format!("invalid type: sequence, expected {expected}");
-        assert!(message.ends_with(&expected), "{message}");
-    }
-}
-
 #[test]
 fn all_missing_required_keys_are_reported_at_once() {
     for (file, missing) in [

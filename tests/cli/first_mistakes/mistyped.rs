@@ -144,7 +144,7 @@ fn an_invalid_load_is_refused_with_its_syntax() {
     for (load, expected) in [
         (
             "[[loads.braking.forces]]\nat = \"contact\"\nforce = [100.0, 0.0, 3000.0]\n",
-            "a.toml:8:1: invalid type: map, expected a number",
+            "a.toml:8:1: invalid type: table, expected a number",
         ),
         (
             "[loads.braking]\ncontact = [100.0, \"none\", 3000.0]\n",
@@ -230,5 +230,29 @@ fn a_spring_along_a_drive_is_refused_with_the_measure_to_write() {
              write along = \"NAME\""
         );
         assert_eq!(message, expected);
+    }
+}
+
+#[test]
+fn a_layout_in_place_of_a_file_and_a_mistyped_point_of_a_marker_are_reported_with_what_to_write() {
+    for (from, to, expected) in [
+        (
+            "linkage =",
+            "listing =",
+            "1:11: there is no file `double_wishbone_pushrod`; for the layout of the catalogue write linkage = \"double_wishbone_pushrod\"",
+        ),
+        (
+            "[drives]",
+            "[points]\nwheel_centre = [0.0, 0.75, 0.3]\naxle = { from = \"wheel_center\", offset = [0.0, -0.1, 0.0] }\n[drives]",
+            "7:17: there is no point `wheel_center`; did you mean `wheel_centre`?",
+        ),
+        (
+            "[drives]",
+            "[loads.braking]\ncontact = { torque = [0.0, 1.0, 0.0] }\n[drives]",
+            "6:13: unknown field `torque`; did you mean `moment`?",
+        ),
+    ] {
+        let message = refusal("check", &[("a.toml", &CORNER.replacen(from, to, 1))], &[]);
+        assert_eq!(message, format!("a.toml:{expected}"));
     }
 }

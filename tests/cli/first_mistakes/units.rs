@@ -25,19 +25,29 @@ fn a_point_in_another_unit_is_reported_first_at_its_place() {
     assert_eq!(message.lines().count(), 2, "{message}");
 }
 
-/// An axle in inches is as large in mm as a small corner.
+/// An axle in inches is as large in mm as a small corner, and a car as a small axle.
 #[test]
-fn an_axle_in_another_unit_is_noted() {
+fn an_axle_or_a_car_in_another_unit_is_noted() {
     let folder = folder();
     let listed = run(folder.path(), &["list", "live_axle_panhard"]);
-    let inches = in_inches(text(&listed.stdout));
-    std::fs::write(folder.path().join("a.linkage"), inches).expect("written");
-    let motion = "listing = \"a.linkage\"\nunit = \"mm\"\n[time]\ninstants = [0.0]\n[drives]\n\
-                  bump_left = 12.2\nbump_right = 12.2\n";
-    std::fs::write(folder.path().join("a.toml"), motion).expect("written");
-    let output = run(folder.path(), &["check", "a.toml"]);
-    let expected = "mm apart: is the file in inches? (unit = \"in\")";
-    assert!(text(&output.stdout).contains(expected), "{output:?}");
+    let axle = in_inches(text(&listed.stdout));
+    std::fs::write(folder.path().join("axle.linkage"), axle).expect("written");
+    let car =
+        "include front: \"axle.linkage\";\ninclude rear: \"axle.linkage\" at [-102.0, 0.0, 0.0];\n";
+    std::fs::write(folder.path().join("car.linkage"), car).expect("written");
+    for (listing, ends) in [("axle", [""].as_slice()), ("car", &["front_", "rear_"])] {
+        let lines = ends
+            .iter()
+            .flat_map(|end| ["left", "right"].map(|side| format!("{end}bump_{side} = 12.2\n")));
+        let drives: String = lines.collect();
+        let motion = format!(
+            "listing = \"{listing}.linkage\"\nunit = \"mm\"\n[time]\ninstants = [0.0]\n[drives]\n{drives}"
+        );
+        std::fs::write(folder.path().join("a.toml"), motion).expect("written");
+        let output = run(folder.path(), &["check", "a.toml"]);
+        let expected = "mm apart: is the file in inches? (unit = \"in\")";
+        assert!(text(&output.stdout).contains(expected), "{output:?}");
+    }
 }
 
 /// A listing in metres with its points in inches.
@@ -53,6 +63,19 @@ fn in_inches(listing: &str) -> String {
         let numbers = numbers.collect::<Vec<_>>().join(", ");
         text + "[" + &numbers + "]" + rest
     })
+}
+
+/// The image that `mirror` makes is as far off, and no further from the point than the sides are apart.
+#[test]
+fn a_mirrored_point_in_another_unit_is_noted() {
+    let folder = folder();
+    let file = "unit = \"m\"\ntime = { instants = [0.0] }\ndrives = { left_bump = 300.0, right_bump = 300.0 }\nstatements = '''\n\
+                mirror: left -> right;\nfixed: left_a at [0.2, 0.3, 0.3], left_b at [-0.2, 0.3, 0.3];\n\
+                free: left_hub at [0.0, 0.7, 300.0];\nhinge left_arm: left_a, left_b -> left_hub;\ndrive left_bump: left_hub.z;\n'''\n";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    let expected = "`left_hub` lies 299.7 m from the other points: is it in mm?\n";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
 }
 
 #[test]

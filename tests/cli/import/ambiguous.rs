@@ -308,3 +308,21 @@ fn a_unit_in_which_the_suspension_has_a_strange_size_is_doubtful() {
     let expected = "the unit of lengths is in, as the file says; that is doubtful, as the points are then up to 14.99 m apart";
     assert!(notes.contains(expected), "{notes}");
 }
+
+/// `FR` is the corner front right wherever a name begins or ends with it.
+#[test]
+fn a_corners_code_within_a_name_is_reported_with_the_word_to_write() {
+    let file = table(&CORNER);
+    let file = file.replace("lca_front", "LCA FR IB");
+    let said = refusal("a.csv", &file.replace("lca_rear", "LCA RR IB"), &[]);
+    for (name, code, end) in [("LCA FR IB", "FR", "front"), ("LCA RR IB", "RR", "rear")] {
+        let expected = format!(
+            ", where `{code}` is a corner's code: write `{end}` if the {end} of the part is meant"
+        );
+        let (_, behind) = said
+            .split_once(&format!("`{name}` (a.csv:"))
+            .expect("named");
+        let (_, behind) = behind.split_once(')').expect("a line");
+        assert!(behind.starts_with(&expected), "{said}");
+    }
+}

@@ -30,7 +30,7 @@ fn an_invalid_load_is_refused_at_its_place() {
         ),
         (
             "[loads]\ncontact = [0.0, 0.0, 4000.0]\n",
-            "invalid type: sequence, expected a load case, which has a name: write its lines under [loads.NAME]",
+            "invalid type: list, expected a load case, which has a name: write its lines under [loads.NAME]",
         ),
         (
             "[loads.a]\ncontakt = [0.0, 0.0, 1.0]\n",

@@ -30,7 +30,22 @@ fn an_invalid_mass_is_refused_at_its_place() {
         (
             "upright = { mass = 1.0, centre = \"hub\" }",
             "",
-            "`hub` is not a point of the listing",
+            "unknown point `hub`; known are lower_front, ",
+        ),
+        (
+            "upright = { mass = 1.0, centre = \"wheel_center\" }",
+            "",
+            "; did you mean `wheel_centre`?",
+        ),
+        (
+            "upright = { mass = 1.0 }",
+            "",
+            "missing field `centre`; write a point or coordinates, as centre = \"wheel_centre\"",
+        ),
+        (
+            "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = 0.5 }",
+            "",
+            "expected a list in brackets, [...]; write the moments of inertia in kg m^2, as inertia = [0.8, 1.2, 0.8]",
         ),
         (
             "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = [1.0, 1.0, 3.0] }",
@@ -40,7 +55,7 @@ fn an_invalid_mass_is_refused_at_its_place() {
         (
             "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = { xx = 1.0 } }",
             "",
-            "invalid type: map, expected a list in brackets, [...]",
+            "invalid type: table, expected a list in brackets, [...]",
         ),
         (
             "upright = { mass = 1.0, centre = [nan, 1.0, 2.0] }",

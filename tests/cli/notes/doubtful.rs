@@ -245,3 +245,17 @@ fn a_rate_of_a_spring_in_another_unit_is_noted() {
         assert!(message.ends_with(&expected), "{message}");
     }
 }
+
+/// In the mirror image of a corner, y of the rack has the other sign.
+#[test]
+fn a_drive_with_the_sign_of_the_other_side_is_reported_as_such() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("a.toml"),
+        CORNER.replace("0.34", "-0.34"),
+    )
+    .expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    let expected = "a.toml: [drives]: is the sign of `steer` right? `steer` is 0.34 m at the design position; write steer = [0.34, ...]\n";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
+}

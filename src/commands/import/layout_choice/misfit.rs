@@ -143,9 +143,7 @@ impl Candidate<'_> {
         let unknown = given.points.iter();
         let unknown = unknown.filter(|point| !given.is_known(point) && !is_found(&point.key));
         let unknown = listed(unknown, (MOST_NAMES, "; "), |point| {
-            let hint = names.meant(&point.key, wanted.clone());
-            let hint = hint.map(|name| format!(", did you mean {name}?"));
-            stated.quoted(point) + &hint.unwrap_or_default()
+            stated.quoted(point) + &hint(names, point, wanted.clone())
         });
         unknown.map_or_else(String::new, |each| format!("; not known: {each}"))
     }
@@ -197,4 +195,16 @@ impl Candidate<'_> {
             )
         })
     }
+}
+
+/// Says what an unknown name may have been meant to be.
+fn hint(names: &Names, point: &Hardpoint, wanted: Vec<&str>) -> String {
+    if let Some([code, end]) = names.code_meant(&point.key) {
+        let code = code.to_uppercase();
+        return format!(
+            ", where `{code}` is a corner's code: write `{end}` if the {end} of the part is meant"
+        );
+    }
+    let meant = names.meant(&point.key, wanted);
+    meant.map_or_else(String::new, |name| format!(", did you mean {name}?"))
 }

@@ -206,7 +206,7 @@ pub(super) fn check(
 ) -> Option<Error> {
     let points: Vec<&Ident> = lines.iter().chain([about]).flatten().collect();
     // Anything else is reported as an operand.
-    if !listing.declares(points.iter().copied()) {
+    if !listing.has_points(points.iter().copied()) {
         return None;
     }
     if let Some(body) = system.body_of(points) {

@@ -38,6 +38,11 @@ fn a_mistake_on_one_side_is_reported_once_at_its_place() {
             "there is no point `left_hob`; ",
         ),
         (
+            replaced("middle -> left_hub", "middle -> hub"),
+            11,
+            "there is no point `hub`; ",
+        ),
+        (
             format!("{HALF}\nlink left_far: left -> right_hob;"),
             18,
             "there is no point `right_hob`; ",

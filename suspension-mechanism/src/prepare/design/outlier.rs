@@ -90,13 +90,16 @@ struct Surroundings {
 impl Surroundings {
     fn new(places: &[Vector3<f64>], index: usize) -> Option<Self> {
         let at = *places.get(index)?;
-        // A point that `import` places halfway follows the mistake.
+        // A point that `import` places halfway, or that `mirror` makes, follows the mistake.
         let is_halfway = |point: &Vector3<f64>| {
             let mut ends = places.iter();
             ends.any(|end| (at + end - 2.0 * point).norm() < HALFWAY * (at - end).norm())
         };
         let others = places.iter().enumerate();
-        let others = others.filter(|(other, place)| *other != index && !is_halfway(place));
+        let is_image =
+            |place: &Vector3<f64>| *place == at.component_mul(&Vector3::new(1.0, -1.0, 1.0));
+        let others = others
+            .filter(|(other, place)| *other != index && !is_halfway(place) && !is_image(place));
         let others: Vec<_> = others.map(|(_, place)| *place).collect();
         let first = others.first()?;
         let (low, high) = others.iter().fold((*first, *first), |(low, high), at| {

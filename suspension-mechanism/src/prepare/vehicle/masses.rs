@@ -120,7 +120,7 @@ impl Reader<'_> {
                 let mut points = self.task.names.points.iter().zip(self.design).enumerate();
                 let found = points.find(|(_, (name, _))| *name == point);
                 let (number, (_, at)) = found.ok_or_else(|| {
-                    let message = format!("`{point}` is not a point of the listing");
+                    let message = unknown("point", point, &self.task.names.point_names());
                     self.task.source.refuse(&stated.centre.span(), message)
                 })?;
                 (*at, Some(number))
