@@ -47,6 +47,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         let (name, mechanism) = (source.name(), &*loaded.at_design()?);
+        loaded.check_analyses(mechanism)?;
         let condition = Condition::analyse(mechanism);
         let is_singular = condition.is_singular();
         let (ranges, motion_ends) = if is_singular {
@@ -185,6 +186,8 @@ Prints a report on the design position, which is that of the file's points:
   notes                       statements of the file that its author may not have meant, locks very near the design, springs that
                               pull a wheel up there, and measured lengths that are zero there
   assemblies                  with --assemblies: how many ways there are to put the parts together
+
+Mistakes anywhere in the file are wrong input, also those under [loads], [tolerances] and [tune], which other commands read.
 
 Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
 singular, or the file's own motion is out of reach, 130 interrupted.

@@ -56,15 +56,18 @@ pub fn unknown(what: &str, wanted: &str, known: &[&str]) -> String {
     format!("unknown {what} `{wanted}`; known are {known}{hint}")
 }
 
-/// The nearest known name, or otherwise the longest whose words the wanted one contains, or the only one with a word
-/// in common.
+/// The known name that is the wanted one but for capitals, blanks and hyphens, or the nearest, or otherwise the longest whose
+/// words the wanted one contains, or the only one with a word in common.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // A known name may be used where another kind is required.
     let known = known.into_iter().filter(|name| *name != wanted);
     let known: Vec<&str> = known.collect();
     let within = known.iter().filter(|name| has_words_of(wanted, name));
     let within = within.max_by_key(|name| name.len()).copied();
-    mistyped(wanted, known.iter().copied())
+    let plain = |name: &str| name.to_lowercase().replace([' ', '-'], "_");
+    let mut same = known.iter().copied();
+    same.find(|name| plain(name) == plain(wanted))
+        .or_else(|| mistyped(wanted, known.iter().copied()))
         .or(within)
         .or_else(|| {
             let mut related = known.iter().filter(|name| share_a_word(wanted, name));

@@ -1,5 +1,6 @@
 //! The report on a design position.
 
+mod analyses;
 mod locks;
 mod pulling;
 mod unfollowed;

@@ -22,6 +22,15 @@ fn a_suggested_name_differs_in_one_or_two_letters_or_shares_a_word() {
 }
 
 #[test]
+fn the_same_name_with_capitals_blanks_or_hyphens_is_suggested() {
+    let known = ["double_wishbone", "double_wishbone_pushrod", "rack"];
+    for wanted in ["Double Wishbone", "double-wishbone", "DOUBLE_WISHBONE"] {
+        assert_eq!(nearest(wanted, known), Some("double_wishbone"));
+    }
+    assert_eq!(nearest("RACK", known), Some("rack"));
+}
+
+#[test]
 fn an_unknown_name_of_a_kind_without_names_lists_none() {
     assert_eq!(
         unknown("measure", "damper", &[]),
