@@ -214,15 +214,16 @@ susp_status susp_corner_read_wheel_at(
         size_t index,
         susp_f64_wheel *wheel);
 
-/** That wheel with its time derivatives, by its number; SUSP_ERROR_ABSENT if there is no such wheel. */
+/** A wheel with its time derivatives, by its number, 0 for the first or only one; SUSP_ERROR_ABSENT if there is
+ * no such wheel. */
 susp_status susp_corner_read_wheel_rates(
         const susp_corner *corner,
         size_t index,
         susp_f64_wheel_rates *wheel);
 
-/** That wheel with its derivatives for the change `change[DRIVES]` of the drives, such as camber gain and
- * bump steer, by its number: see `susp_corner_read_derivatives`. SUSP_ERROR_ABSENT if there is no such
- * wheel, SUSP_ERROR_SINGULAR where the drives lock. */
+/** A wheel with its derivatives per unit of the change `change[DRIVES]` of the drives, such as camber gain and
+ * bump steer, by its number, 0 for the first or only one: see `susp_corner_read_derivatives`.
+ * SUSP_ERROR_ABSENT if there is no such wheel, SUSP_ERROR_SINGULAR where the drives lock. */
 susp_status susp_corner_read_wheel_derivatives(
         const susp_corner *corner,
         size_t index,

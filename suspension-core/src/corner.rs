@@ -203,8 +203,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Wheel::of(axis)
     }
 
-    /// That wheel with derivatives: per second if `points` are those of [`Self::points`], per unit of a change of the drives
-    /// if they are those of [`Self::per`], such as camber gain and bump steer.
+    /// That wheel at these points, with its derivatives: per second if they are those of [`Self::points`], per unit of a change of
+    /// the drives if they are those of [`Self::per`], such as camber gain and bump steer. `None` if the listing states no wheel. For
+    /// another wheel of an axle see [`Wheel::with_rates`].
     pub fn wheel_rates(&self, points: &Signal<L::Points>) -> Option<Signal<Wheel<T>>> {
         let axis = |points| self.model.wheel_axis(points);
         Wheel::with_rates(&Signal {

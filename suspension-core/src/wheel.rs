@@ -4,7 +4,7 @@
 //! from positions, velocities and accelerations, with respect to a drive from the results of
 //! [`Corner::per`](crate::Corner::per).
 //!
-//! The camber gain of a corner, and the rate of camber while it moves:
+//! Camber gain and bump steer of a corner, and the rate of camber while it moves:
 //!
 //! ```
 //! use suspension_core::linkages::double_wishbone::{Corner, Drives};
@@ -14,10 +14,11 @@
 //! let (start, rate) = (corner.drives(), Drives { bump: 0.05, steer: 0.0 });
 //! corner.advance(0.5, |time| Signal::line(start, rate, time))?;
 //! let per_bump = corner.per(Drives { bump: 1.0, steer: 0.0 })?;
-//! let gain = corner.wheel_rates(&per_bump.points).ok_or("no wheel")?.rate.camber; // rad/m
+//! let gain = corner.wheel_rates(&per_bump.points).ok_or("no wheel")?.rate; // rad/m
 //! let moving = corner.wheel_rates(&corner.points()).ok_or("no wheel")?;
-//! assert!((moving.rate.camber - gain * rate.bump).abs() < 1e-15); // rad/s
-//! assert_eq!(format!("{:.2} deg/m", gain.to_degrees()), "-17.55 deg/m");
+//! assert!((moving.rate.camber - gain.camber * rate.bump).abs() < 1e-15); // rad/s
+//! let [camber, bump_steer] = [gain.camber, gain.toe].map(f64::to_degrees);
+//! assert_eq!(format!("{camber:.2} and {bump_steer:.2} deg/m"), "-17.55 and -5.00 deg/m");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -103,7 +104,8 @@ impl<T: Real> Wheel<T> {
         })
     }
 
-    /// Reads the wheel with its derivatives from these two points with theirs; `None` if they coincide. See
+    /// Reads the wheel with its derivatives from these two points with theirs: `rate` and `second_rate` have the derivatives of each
+    /// number, those of the unit vector too. `None` if the points coincide. A corner has them for its first wheel:
     /// [`Corner::wheel_rates`](crate::Corner::wheel_rates).
     pub fn with_rates(points: &Signal<[Vector3<T>; 2]>) -> Option<Signal<Self>> {
         let value = Self::of(points.value)?;

@@ -11,7 +11,7 @@ const OTHER_NAMES: [(&str, &[&str]); 18] = [
     ("centre", &["center", "cg"]),
     ("moment", &["torque", "Mx", "My", "Mz"]),
     ("force", &["Fx", "Fy", "Fz"]),
-    ("frequency", &["hz", "period"]),
+    ("frequency", &["hz"]),
     ("rate", &["stiffness", "k"]),
     ("load", &["preload"]),
     ("by", &["range", "box", "limits", "bounds"]),

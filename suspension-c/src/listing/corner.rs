@@ -243,7 +243,8 @@ crate::functions! { "susp":
         read_wheel(corner, index, wheel)
     }
 
-    /// That wheel with its time derivatives, by its number; SUSP_ERROR_ABSENT if there is no such wheel.
+    /// A wheel with its time derivatives, by its number, 0 for the first or only one; SUSP_ERROR_ABSENT if there is
+    /// no such wheel.
     fn corner_read_wheel_rates(corner: In<Corner>, index: usize, wheel: Out<WheelRates>) -> Status {
         answer(|| {
             let (corner, wheel) = (corner.object()?, wheel.get()?);
@@ -253,9 +254,9 @@ crate::functions! { "susp":
         })
     }
 
-    /// That wheel with its derivatives for the change `change[DRIVES]` of the drives, such as camber gain and
-    /// bump steer, by its number: see `susp_corner_read_derivatives`. SUSP_ERROR_ABSENT if there is no such
-    /// wheel, SUSP_ERROR_SINGULAR where the drives lock.
+    /// A wheel with its derivatives per unit of the change `change[DRIVES]` of the drives, such as camber gain and
+    /// bump steer, by its number, 0 for the first or only one: see `susp_corner_read_derivatives`.
+    /// SUSP_ERROR_ABSENT if there is no such wheel, SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_wheel_derivatives(corner: In<Corner>, index: usize, change: In<Number>, drive_count: usize, wheel: Out<WheelRates>, failure: Out<Failure>) -> Status {
         on(corner.object().map(Placed::parts), failure, |moving, parsed| {
             let (change, wheel) = (change.many(drive_count)?, wheel.get()?);

@@ -9,12 +9,30 @@ pub(super) fn explained(message: &str, text: &str, start: usize) -> Option<Strin
         "invalid datetime",
     ];
     if is_value.iter().any(|begin| message.starts_with(begin)) {
-        let value = rest.split([',', ']', '}', '\n', '#']).next()?.trim();
+        let value = rest.split(ENDS).next()?.trim();
         return Some(mistaken_number(value).unwrap_or_else(|| without_quotes(value)));
+    }
+    if ["invalid float", "invalid mantissa", "invalid integer"]
+        .iter()
+        .any(|begin| message.starts_with(begin))
+    {
+        return mistaken_number(value_around(text, start)?);
     }
     let first_line = message.trim_end().replace('\n', ", ");
     let hint = hint(message, text, start)?;
     Some(first_line + &hint)
+}
+
+/// What ends a value.
+const ENDS: [char; 5] = [',', ']', '}', '\n', '#'];
+
+/// Returns the value within which the parser stopped.
+fn value_around(text: &str, start: usize) -> Option<&str> {
+    let (before, _) = text.split_at_checked(start)?;
+    let first = before
+        .rfind(['=', ',', '[', '{', '\n'])
+        .map_or(0, |end| end + 1);
+    Some(text[first..].split(ENDS).next()?.trim())
 }
 
 /// Says what to write, behind the parser's message.
@@ -34,7 +52,11 @@ fn hint(message: &str, text: &str, start: usize) -> Option<String> {
     } else if is_surplus && rest.starts_with(',') {
         LIST
     } else if is_surplus && rest.starts_with(';') {
-        "; a line ends without `;`"
+        NO_SEMICOLON
+    } else if is_surplus && rest.starts_with('/') {
+        COMMENT
+    } else if message.contains("unicode") || message.contains("escape") {
+        "; in double quotes `\\` begins an escape: write `/` in a path, or single quotes"
     } else if message.starts_with("missing comma") {
         "; or the list before it lacks its `]`"
     } else {
@@ -48,7 +70,7 @@ fn without_equals(text: &str, start: usize) -> String {
     let (before, rest) = text.split_at_checked(start).unwrap_or((text, ""));
     let line = before.rsplit('\n').next().unwrap_or_default().trim_start();
     if line.starts_with('/') || rest.starts_with('/') {
-        return "; a comment begins with #".to_owned();
+        return COMMENT.to_owned();
     }
     if line.trim_end().ends_with(':') || rest.starts_with(':') {
         return "; write `=` in place of `:`".to_owned();
@@ -65,6 +87,10 @@ fn without_quotes(value: &str) -> String {
     format!("a text stands in straight quotes; write \"{text}\"")
 }
 
+const NO_SEMICOLON: &str = "; a line ends without `;`";
+
+const COMMENT: &str = "; a comment begins with #";
+
 /// How several numbers are written.
 const LIST: &str = "; several numbers are written [0.1, 0.2, 0.3]";
 
@@ -76,13 +102,28 @@ fn mistaken_number(value: &str) -> Option<String> {
     }
     let mut words = value.split_whitespace();
     let is_number = |word: &str| word.parse::<f64>().is_ok();
-    Some(match words.clone().collect::<Vec<_>>()[..] {
-        [first, ..] if words.all(is_number) => format!("a comma is missing behind {first}{LIST}"),
-        [first, unit] if is_number(first) && unit.chars().all(char::is_alphabetic) => {
-            format!("`{value}` is no number; write {first} without the unit")
-        }
-        _ => format!("`{value}` is no number{LIST}"),
-    })
+    if let [first, _, ..] = words.clone().collect::<Vec<_>>()[..]
+        && words.all(is_number)
+    {
+        return Some(format!("a comma is missing behind {first}{LIST}"));
+    }
+    let number = value
+        .trim_end_matches(|letter: char| letter.is_alphabetic())
+        .trim_end();
+    let hint = if value.ends_with(';') {
+        NO_SEMICOLON.to_owned()
+    } else if value.contains("//") {
+        COMMENT.to_owned()
+    } else if number != value && is_number(number) {
+        format!("; write {number} without the unit")
+    } else if is_number(value) {
+        "; a digit stands on both sides of the point, as in 0.3".to_owned()
+    } else if value.contains(['/', '*', '+', '^', '(']) {
+        "; a number is written out, as 0.01: formulas are not read".to_owned()
+    } else {
+        LIST.to_owned()
+    };
+    Some(format!("`{value}` is no number{hint}"))
 }
 
 fn is_comma_between_digits(text: &str, start: usize) -> bool {

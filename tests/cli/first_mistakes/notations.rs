@@ -229,3 +229,38 @@ fn only_for_a_unit_among_drives_its_place_is_given() {
         assert_eq!(message.ends_with(place), has_place, "{message}");
     }
 }
+
+#[test]
+fn for_a_value_that_only_begins_like_a_number_what_to_write_is_said() {
+    for (value, expected) in [
+        ("0.30;", "`0.30;` is no number; a line ends without `;`"),
+        ("0.30m", "`0.30m` is no number; write 0.30 without the unit"),
+        (
+            ".30",
+            "`.30` is no number; a digit stands on both sides of the point, as in 0.3",
+        ),
+        (
+            "3/10",
+            "`3/10` is no number; a number is written out, as 0.01: formulas are not read",
+        ),
+        (
+            "0.30 // metres",
+            "`0.30 // metres` is no number; a comment begins with #",
+        ),
+        (
+            "\"m\" // metres",
+            "unexpected key or value, expected newline, `#`; a comment begins with #",
+        ),
+        (
+            "\"C:\\users\"",
+            "too few unicode value digits, expected unicode hexadecimal value; in double quotes `\\` begins an escape: write `/` in a \
+             path, or single quotes",
+        ),
+    ] {
+        let file = CORNER.replace("bump = 0.3\n", &format!("bump = {value}\n"));
+        assert_ne!(file, CORNER);
+        let message = refusal("check", &[("a.toml", &file)], &[]);
+        let (_, message) = message.split_once(": ").expect("a place");
+        assert_eq!(message, expected);
+    }
+}

@@ -53,10 +53,12 @@ impl Reader<'_> {
 
     /// A sentence about what may replace a force for a drive.
     pub(crate) fn no_load_of_drive(&self, drive: &str) -> String {
-        let known = self.bearing().join(", ");
+        let known = match self.bearing()[..] {
+            [] => "there is no measure or spring yet".to_owned(),
+            ref known => format!("measures and springs are {}", known.join(", ")),
+        };
         format!(
-            "`{drive}` is a drive: write the name of the measure or spring that bears its load, or a force where it acts; measures and \
-             springs are {known}"
+            "`{drive}` is a drive: write the name of the measure or spring that bears its load, or a force where it acts; {known}"
         )
     }
 
