@@ -1,6 +1,6 @@
 //! The contents of load cases, and several of them in one file.
 
-use super::super::program::{example, folder, rows, run, text};
+use super::super::program::{CORNER, example, folder, rows, run, text};
 use super::{GRID, loaded, table};
 
 /// A bar is not a spring that carries a wheel, at any place among the file's springs.
@@ -16,6 +16,21 @@ fn the_proposed_load_case_names_a_spring_moved_by_the_wheel() {
     let message = text(&output.stderr);
     assert!(
         message.contains("and bump_left = \"coil\" for the spring to bear"),
+        "{message}"
+    );
+}
+
+#[test]
+fn without_a_measure_or_spring_nothing_can_bear_the_load_of_a_drive() {
+    let folder = folder();
+    let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+    let case = "[loads.braking]\nbump = 4000.0\n";
+    std::fs::write(folder.path().join("a.toml"), file + case).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let message = text(&output.stderr).trim_end();
+    assert!(
+        message.ends_with("; there is no measure or spring yet"),
         "{message}"
     );
 }
