@@ -33,7 +33,7 @@ fn read_wheel(corner: In<'_, Corner>, index: usize, wheel: Out<'_, Wheel>) -> St
     answer(|| {
         let (corner, wheel) = (corner.object()?, wheel.get()?);
         let axis = corner.moving().wheel_axis(index).ok_or(Status::Absent)?;
-        wheel.write(wheel_of(axis)?);
+        wheel.write(wheel_of(axis.value)?);
         Ok(())
     })
 }
@@ -57,7 +57,7 @@ fn read_kingpin(corner: In<'_, Corner>, index: usize, kingpin: Out<'_, Kingpin>)
         let moving = corner.moving();
         let ends = moving.kingpin(index).zip(moving.wheel_axis(index));
         let (ends, axis) = ends.ok_or(Status::Absent)?;
-        kingpin.write(kingpin_of(ends, axis)?);
+        kingpin.write(kingpin_of(ends, axis.value)?);
         Ok(())
     })
 }
@@ -248,7 +248,7 @@ crate::functions! { "susp":
     fn corner_read_wheel_rates(corner: In<Corner>, index: usize, wheel: Out<WheelRates>) -> Status {
         answer(|| {
             let (corner, wheel) = (corner.object()?, wheel.get()?);
-            let axis = corner.moving().wheel_axis_rates(index).ok_or(Status::Absent)?;
+            let axis = corner.moving().wheel_axis(index).ok_or(Status::Absent)?;
             wheel.write(wheel_rates_of(&axis)?);
             Ok(())
         })

@@ -65,11 +65,8 @@ pub(super) trait Moving: Send + Sync {
         forces: &mut [f64],
     ) -> Result<(), Status>;
 
-    /// Returns the spin axis of a wheel by its number.
-    fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
-
-    /// The same with its time derivatives.
-    fn wheel_axis_rates(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 2]>>;
+    /// Returns the spin axis of a wheel by its number, with its time derivatives.
+    fn wheel_axis(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 2]>>;
 
     /// The same with its derivatives for a change of the drives: see [`Corner::per`].
     fn wheel_axis_per(
@@ -219,12 +216,7 @@ where
         loads::add_masses(&self.corner, masses, design, forces)
     }
 
-    fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {
-        let places = self.corner.model().wheel(wheel)?.axis;
-        Some(self.corner.points().value.at(places))
-    }
-
-    fn wheel_axis_rates(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 2]>> {
+    fn wheel_axis(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 2]>> {
         let places = self.corner.model().wheel(wheel)?.axis;
         Some(self.corner.points().map(|points| points.at(places)))
     }
