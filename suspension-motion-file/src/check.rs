@@ -96,7 +96,7 @@ fn quoted(names: &[&str]) -> String {
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first unknown key.
+/// [`Failure::Input`] at each unknown key; only the message on the first lists the known names.
 pub fn known_names<V>(
     source: &Source,
     table: &Table<V>,
@@ -104,58 +104,69 @@ pub fn known_names<V>(
     known: &[impl Borrow<str>],
     has: &str,
 ) -> Result<(), Failure> {
-    let mut names = table.get_ref().names();
-    let unknown = names.find(|key| known.iter().all(|name| name.borrow() != key.get_ref()));
-    let Some(key) = unknown else {
-        return Ok(());
-    };
-    let name = key.get_ref();
-    let hint = match place_of_key(name) {
-        Some(place) => format!("; {name} belongs {place}"),
-        None => did_you_mean(name, known.iter().map(Borrow::borrow)),
-    };
-    let message = format!("unknown {kind} `{name}`; {has}{hint}");
-    Err(source.refuse(&key.span(), message))
+    let names = table.get_ref().names();
+    let unknown = names.filter(|key| known.iter().all(|name| name.borrow() != key.get_ref()));
+    let refused = unknown.enumerate().map(|(index, key)| {
+        let name = key.get_ref();
+        let list = if index == 0 {
+            format!("; {has}")
+        } else {
+            String::new()
+        };
+        let hint = match place_of_key(name) {
+            Some(place) => format!("; {name} belongs {place}"),
+            None => did_you_mean(name, known.iter().map(Borrow::borrow)),
+        };
+        Err(source.refuse(&key.span(), format!("unknown {kind} `{name}`{list}{hint}")))
+    });
+    Failure::all(refused).map(|_: Vec<()>| ())
 }
 
 /// Checks that all values of a table are finite.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first other value.
+/// [`Failure::Input`] at each other value.
 pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<(), Failure> {
-    for (name, value) in table.get_ref().iter() {
-        let name = name.get_ref();
-        if !value.get_ref().is_finite() {
-            let message = format!("{kind} `{name}` is not a finite number");
-            return Err(source.refuse(&value.span(), message));
+    each(table, |name, value| {
+        if value.get_ref().is_finite() {
+            return Ok(());
         }
-    }
-    Ok(())
+        let message = format!("{kind} `{name}` is not a finite number");
+        Err(source.refuse(&value.span(), message))
+    })
+}
+
+/// The mistakes in all entries of a table.
+fn each<'a, V>(
+    table: &'a Table<V>,
+    mut check: impl FnMut(&'a str, &'a Spanned<V>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let entries = table.get_ref().iter();
+    let checks = entries.map(|(name, value)| check(name.get_ref(), value));
+    Failure::all(checks).map(drop)
 }
 
 /// Checks that the lengths are positive, finite and of a size with which the program can compute.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first length that is not.
+/// [`Failure::Input`] at each length that is not.
 pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
-    for (name, value) in table.get_ref().iter() {
-        let name = name.get_ref();
+    each(table, |name, value| {
         let length = *value.get_ref();
         let fault = if !(length > 0.0 && length.is_finite()) {
             "not a positive finite number"
         } else if parts::positive([length]).is_ok() {
-            continue;
+            return Ok(());
         } else if length > 1.0 {
             "too large to compute with"
         } else {
             "too small to compute with"
         };
         let message = format!("length `{name}` is {}, {fault}", exact(length));
-        return Err(source.refuse(&value.span(), message));
-    }
-    Ok(())
+        Err(source.refuse(&value.span(), message))
+    })
 }
 
 /// Checks the points: their coordinates are finite, no two chassis or free points coincide unless they are `unjoined`, and
@@ -163,7 +174,7 @@ pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first point that breaks a rule.
+/// [`Failure::Input`] at each point that breaks a rule.
 pub fn points(
     source: &Source,
     file: &MotionFile,
@@ -172,8 +183,7 @@ pub fn points(
 ) -> Result<(), Failure> {
     let is_marker = |name: &str| markers.iter().any(|marker| marker == name);
     let mut placed: Vec<(&str, [f64; 3])> = Vec::new();
-    for (name, position) in file.points.get_ref().iter() {
-        let name = name.get_ref();
+    each(&file.points, |name, position| {
         let refuse = |message: String| Err(source.refuse(&position.span(), message));
         let numbers = match position.get_ref() {
             Position::At(at) => at,
@@ -193,7 +203,7 @@ pub fn points(
                 }
                 base_of_marker(source, file, &off.from)?;
             }
-            Position::At(at) if !is_marker(name) && !unjoined.contains(&name.as_str()) => {
+            Position::At(at) if !is_marker(name) && !unjoined.contains(&name) => {
                 if let Some((other, _)) = placed.iter().find(|(_, place)| place == at) {
                     return refuse(in_one_place(name, other));
                 }
@@ -201,8 +211,8 @@ pub fn points(
             }
             Position::At(_) => {}
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// The message on two joints in one place.

@@ -18,7 +18,50 @@ pub enum Failure {
     ReaderGone,
 }
 
+/// The most mistakes of a motion file that are told at once.
+pub(crate) const MOST_MISTAKES: usize = 20;
+
 impl Failure {
+    /// Returns all values, or the mistakes of all wrong inputs, at most twenty, in one failure. Another failure comes before them.
+    ///
+    /// # Errors
+    ///
+    /// If a result is a failure.
+    pub fn all<T>(results: impl IntoIterator<Item = Result<T, Self>>) -> Result<Vec<T>, Self> {
+        let mut values = Vec::new();
+        let mut mistakes = Vec::new();
+        for result in results {
+            match result {
+                Ok(value) => values.push(value),
+                Err(Self::Input(mistake)) => mistakes.push(mistake),
+                Err(other) => return Err(other),
+            }
+            if mistakes.len() == MOST_MISTAKES {
+                break;
+            }
+        }
+        if mistakes.is_empty() {
+            Ok(values)
+        } else {
+            Err(Self::Input(mistakes.join("\n")))
+        }
+    }
+
+    /// Returns both values, or the mistakes of both if both are wrong inputs.
+    ///
+    /// # Errors
+    ///
+    /// If one of them is a failure.
+    pub fn both<A, B>(first: Result<A, Self>, second: Result<B, Self>) -> Result<(A, B), Self> {
+        match (first, second) {
+            (Ok(first), Ok(second)) => Ok((first, second)),
+            (Err(Self::Input(first)), Err(Self::Input(second))) => {
+                Err(Self::Input(format!("{first}\n{second}")))
+            }
+            (Err(failure), _) | (_, Err(failure)) => Err(failure),
+        }
+    }
+
     /// Returns the exit code of the process.
     pub fn exit_code(&self) -> u8 {
         match self {

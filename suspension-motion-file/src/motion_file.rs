@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::inputs;
-use crate::parse_errors::explained;
+use crate::parse_errors::mistakes;
 use crate::source::Source;
 use crate::tables::entries::{Entries, Table};
 use crate::tables::loads::LoadCase;
@@ -69,13 +69,10 @@ impl MotionFile {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] with the place of the first mistake.
+    /// [`Failure::Input`] with the places of all mistakes.
     pub fn parse(source: &Source) -> Result<Self, Failure> {
-        let file: Self = toml::from_str(source.text()).map_err(|error| {
-            let span = error.span().unwrap_or(0..0);
-            let message = explained(error.message(), source, span.start);
-            source.refuse(&span, message)
-        })?;
+        let file: Self = toml::from_str(source.text())
+            .map_err(|_| source.refuse_all(mistakes::<Self>(source)))?;
         let tune = file.tune.iter().map(Spanned::get_ref);
         let drives = file.drives.get_ref().values();
         let recorded = drives.filter_map(|law| law.get_ref().recording());

@@ -1,22 +1,34 @@
 //! Errors of the TOML parser for a motion file, with what to write instead.
 
+mod all;
 mod syntax;
 
+use std::ops::Range;
+
+use serde::de::DeserializeOwned;
 use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::other_names::key_meant;
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
+/// Returns the places and messages of all mistakes in a file that is no `T`.
+pub(super) fn mistakes<T: DeserializeOwned>(source: &Source) -> Vec<(Range<usize>, String)> {
+    let errors = all::all::<T>(source.text()).into_iter();
+    let mut errors = errors.map(|error| (error.span().unwrap_or(0..0), error));
+    if let Some(message) = other_kind(source) {
+        let first = errors.next().map(|(span, _)| (span, message));
+        return first.into_iter().collect();
+    }
+    let each = errors.map(|(span, error)| {
+        let message = explained(error.message(), source, span.start);
+        (span, message)
+    });
+    each.collect()
+}
+
 /// Returns the message for a mistake that begins at `start`.
-pub(super) fn explained(message: &str, source: &Source, start: usize) -> String {
-    if source.text().trim().is_empty() {
-        return "the file is empty; suspension motion --help shows what a motion file contains"
-            .to_owned();
-    }
-    if let Some(other) = other_kind(source) {
-        return other;
-    }
+fn explained(message: &str, source: &Source, start: usize) -> String {
     if let Some(mistake) = syntax::explained(message, source.text(), start) {
         return mistake;
     }
@@ -182,6 +194,10 @@ fn example_of_key(key: &str) -> &'static str {
 
 /// Says what to do with a file of another kind.
 fn other_kind(source: &Source) -> Option<String> {
+    if source.text().trim().is_empty() {
+        let empty = "the file is empty; suspension motion --help shows what a motion file contains";
+        return Some(empty.to_owned());
+    }
     let is_listing = is_listing(source.text());
     let name = source.name();
     let endings = [".csv", ".sub", ".shk", ".txt"];

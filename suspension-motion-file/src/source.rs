@@ -4,6 +4,7 @@ mod encoding;
 mod fit_for_terminal;
 mod marked_line;
 
+use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
@@ -155,7 +156,7 @@ impl Source {
     }
 
     /// Returns the failure with a place and the mistake there.
-    pub fn refuse(&self, span: &Range<usize>, message: impl std::fmt::Display) -> Failure {
+    pub fn refuse(&self, span: &Range<usize>, message: impl fmt::Display) -> Failure {
         Failure::Input(self.message(span, &fit_for_terminal(&message.to_string())))
     }
 
@@ -165,16 +166,15 @@ impl Source {
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
-    /// Returns one failure for several mistakes, at most a hundred: each with line and column of its place, counted from
-    /// one, its length in characters, and the message.
-    pub fn refuse_all<'a>(
+    /// Returns one failure for several mistakes, at most a hundred: each with its place and the message.
+    pub fn refuse_all(
         &self,
-        mut mistakes: impl Iterator<Item = (usize, usize, usize, &'a str)>,
+        mistakes: impl IntoIterator<Item = (Range<usize>, impl fmt::Display)>,
     ) -> Failure {
+        let mut mistakes = mistakes.into_iter();
         let first = mistakes.by_ref().take(MOST_MISTAKES);
-        let first = first.map(|(line, column, length, message)| {
-            self.message(&self.span(line, column, length), message)
-        });
+        let first = first
+            .map(|(span, message)| self.message(&span, &fit_for_terminal(&message.to_string())));
         let mut messages: Vec<String> = first.collect();
         match mistakes.count() {
             0 => {}
@@ -186,8 +186,9 @@ impl Source {
         Failure::Input(messages.join("\n"))
     }
 
-    /// Returns the place of characters of a line; the end of the text if there is no such line.
-    fn span(&self, line: usize, column: usize, length: usize) -> Range<usize> {
+    /// Returns the place of characters of a line, which are counted as in [`place`](Self::place); the end of the text if there
+    /// is no such line.
+    pub fn span(&self, line: usize, column: usize, length: usize) -> Range<usize> {
         let mut starts = self.text.split_inclusive('\n').scan(0, |next, line| {
             let start = *next;
             *next += line.len();
@@ -233,7 +234,7 @@ mod tests {
             (150, "\na.toml: and 50 more mistakes"),
             (101, "\na.toml: and 1 more mistake"),
         ] {
-            let mistakes = [(1, 1, 1, "wrong")].into_iter().cycle();
+            let mistakes = [(0..1, "wrong")].into_iter().cycle();
             let message = source.refuse_all(mistakes.take(count)).to_string();
             assert_eq!(message.lines().count(), 101);
             assert!(message.ends_with(end), "{message}");

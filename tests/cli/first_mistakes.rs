@@ -4,6 +4,7 @@ mod in_line;
 mod missing;
 mod mistyped;
 mod notations;
+mod several;
 mod time;
 mod units;
 

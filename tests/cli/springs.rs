@@ -285,6 +285,7 @@ fn springs_and_mistakes_in_them_come_in_the_order_of_the_file() {
     let message = text(&printed(&mistakes).stderr).to_owned();
     assert_eq!(
         message.trim_end(),
-        "corner.toml:7:8: the rate of spring `spring` must be zero or a positive number"
+        "corner.toml:7:8: the rate of spring `spring` must be zero or a positive number\n\
+         corner.toml:11:8: the rate of spring `bar` must be zero or a positive number"
     );
 }

@@ -15,13 +15,17 @@ impl Loaded<'_> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] at the first mistake.
+    /// [`Failure::Input`] at each mistake.
     pub fn check_analyses(&self, mechanism: &dyn Kinematics) -> Result<(), Failure> {
-        self.load_cases(mechanism)?;
-        self.tolerances(mechanism)?;
-        if self.file.tune.is_some() {
-            self.tuning(mechanism)?;
-        }
-        Ok(())
+        let tuning = match &self.file.tune {
+            Some(_) => self.tuning(mechanism).map(drop),
+            None => Ok(()),
+        };
+        let checks = [
+            self.load_cases(mechanism).map(drop),
+            self.tolerances(mechanism).map(drop),
+            tuning,
+        ];
+        Failure::all(checks).map(drop)
     }
 }

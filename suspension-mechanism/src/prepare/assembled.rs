@@ -114,20 +114,23 @@ fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<LeadingMea
         listing,
         ..
     } = *request;
-    check::point_names(source, file, &names.points)?;
     let unjoined = listing.map(Listing::unjoined_points);
-    check::points(source, file, names.markers(), &unjoined.unwrap_or_default())?;
-    if let Some(lengths) = &file.lengths {
-        check::names(source, lengths, "length", &names.lengths)?;
-        check::lengths(source, lengths)?;
-    }
     let drives = names.drive_names();
-    if let Some(design) = &file.design {
-        check::names(source, design, "drive", &drives)?;
-        check::finite_values(source, design, "drive")?;
+    let mut checks = vec![
+        check::point_names(source, file, &names.points),
+        check::points(source, file, names.markers(), &unjoined.unwrap_or_default()),
+        check::drives(source, &file.drives),
+    ];
+    if let Some(lengths) = &file.lengths {
+        checks.push(check::names(source, lengths, "length", &names.lengths));
+        checks.push(check::lengths(source, lengths));
     }
-    let leading = leading_measure(source, &file.drives, &drives, &names.measure_names())?;
-    check::drives(source, &file.drives)?;
+    if let Some(design) = &file.design {
+        checks.push(check::names(source, design, "drive", &drives));
+        checks.push(check::finite_values(source, design, "drive"));
+    }
+    let leading = leading_measure(source, &file.drives, &drives, &names.measure_names());
+    let (_, leading) = Failure::both(Failure::all(checks), leading)?;
     Ok(leading)
 }
 

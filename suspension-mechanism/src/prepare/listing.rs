@@ -9,7 +9,7 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 use suspension_core::listing::{Kind, Part, Parts};
-use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size, catalogue};
+use suspension_runtime::{Fitted, Listing, Mistakes, Model, Room, Size, catalogue};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -225,15 +225,9 @@ fn parse_statements(
 
 /// All mistakes in a text.
 pub(super) fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
-    let mistakes = mistakes.mistakes.iter();
-    source.refuse_all(mistakes.map(|mistake| {
-        let Mistake {
-            line,
-            column,
-            length,
-            message,
-        } = mistake;
-        (*line, *column, *length, message.as_str())
+    source.refuse_all(mistakes.mistakes.iter().map(|mistake| {
+        let place = source.span(mistake.line, mistake.column, mistake.length);
+        (place, &mistake.message)
     }))
 }
 

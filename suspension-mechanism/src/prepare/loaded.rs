@@ -27,8 +27,9 @@ pub struct Loaded<'a> {
 /// [`Failure::Input`] with a place if the file or the listing is wrong.
 pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
     let mut file = MotionFile::parse(source)?;
-    let listing = ChosenListing::read(source, &mut file)?;
-    let instants = check::instants(source, &file.time)?;
+    let instants = check::instants(source, &file.time);
+    let listing = ChosenListing::read(source, &mut file);
+    let (listing, instants) = Failure::both(listing, instants)?;
     Ok(Loaded {
         source,
         file,

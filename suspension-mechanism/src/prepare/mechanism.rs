@@ -79,14 +79,12 @@ fn complete_names<L: Suspension<N>, const N: usize>(
     measured: &Measured,
 ) -> Result<(Names, Vec<String>), Failure> {
     let (task, design) = (&assembled.task, &assembled.design);
-    let springs = springs(task, listing, &measured.in_file)?;
-    let masses = match listing {
-        Some(listing) => {
-            let origin = task.origin.position();
-            masses(task, listing, (origin, &assembled.points_in_file()))?
-        }
-        None => Vec::new(),
-    };
+    let springs = springs(task, listing, &measured.in_file);
+    let masses = listing.map_or(Ok(Vec::new()), |listing| {
+        let origin = task.origin.position();
+        masses(task, listing, (origin, &assembled.points_in_file()))
+    });
+    let (springs, masses) = Failure::both(springs, masses)?;
     let (names, of_drives) = effective_names(task, design);
     let steering_wheel = steering_wheel(task, &names, design)?;
     let couplings = couplings(&names, design);

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use toml::Spanned;
 
+use super::each;
 use crate::failure::Failure;
 use crate::source::Source;
 use crate::tables::entries::Table;
@@ -17,9 +18,9 @@ type Fault = (Range<usize>, &'static str);
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first other drive.
+/// [`Failure::Input`] at each other drive.
 pub fn drives(source: &Source, table: &Table<StatedLaw>) -> Result<(), Failure> {
-    for (name, law) in table.get_ref().iter() {
+    each(table, |name, law| {
         let fault = match law.get_ref() {
             StatedLaw::Polynomial(coefficients) => {
                 polynomial_fault(coefficients).map(|fault| (law.span(), fault))
@@ -29,12 +30,10 @@ pub fn drives(source: &Source, table: &Table<StatedLaw>) -> Result<(), Failure> 
                 not_finite([&recording.factor].into_iter().chain(&recording.offset))
             }
         };
-        if let Some((place, fault)) = fault {
-            let name = name.get_ref();
-            return Err(source.refuse(&place, format!("drive `{name}` {fault}")));
-        }
-    }
-    Ok(())
+        fault.map_or(Ok(()), |(place, fault)| {
+            Err(source.refuse(&place, format!("drive `{name}` {fault}")))
+        })
+    })
 }
 
 fn polynomial_fault(coefficients: &[f64]) -> Option<&'static str> {

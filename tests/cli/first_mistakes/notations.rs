@@ -87,7 +87,7 @@ fn a_list_in_place_of_a_table_is_refused() {
     ] {
         let message = refusal("check", &[("a.toml", &with_line(line))], &[]);
         let list = format!("a.toml:3:{place}: invalid type: list, expected {expected}");
-        assert_eq!(message, list);
+        assert!(message.lines().any(|line| line == list), "{message}");
     }
     for (from, to, expected) in [
         (

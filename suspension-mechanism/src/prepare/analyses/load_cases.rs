@@ -38,9 +38,7 @@ impl Loaded<'_> {
             has_masses: self.file.masses.is_some(),
         };
         let cases = table.get_ref().iter();
-        cases
-            .map(|(name, loads)| reader.case(name, loads.get_ref()))
-            .collect()
+        Failure::all(cases.map(|(name, loads)| reader.case(name, loads.get_ref())))
     }
 }
 
@@ -66,9 +64,9 @@ impl Reader<'_> {
             field: self.weight(),
             borne_by: Vec::new(),
         };
-        for (place, load) in loads.0.iter().filter(|(name, _)| name.get_ref() != ACTING) {
-            self.add(&mut case, place, load)?;
-        }
+        let acting = |(name, _): &(&Spanned<String>, _)| name.get_ref() != ACTING;
+        let loads_alone = loads.0.iter().filter(acting);
+        Failure::all(loads_alone.map(|(place, load)| self.add(&mut case, place, load)))?;
         case.acting = self.acting(&case, loads)?;
         Ok(case)
     }

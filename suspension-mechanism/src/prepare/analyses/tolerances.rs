@@ -32,8 +32,7 @@ impl Loaded<'_> {
                 None => Some(vec![length(mechanism, names.link(name)?)]),
             }
         };
-        let mut found = Vec::new();
-        for (name, deviation) in table.get_ref().iter() {
+        let each = table.get_ref().iter().map(|(name, deviation)| {
             let changes = changes(name.get_ref()).ok_or_else(|| {
                 let mut known = names.point_names();
                 known.extend(names.links().map(|(link, _)| link));
@@ -45,12 +44,13 @@ impl Loaded<'_> {
                 let message = "a tolerance must be zero or a positive number: the standard deviation in the unit of lengths";
                 return Err(self.source.refuse(&deviation.span(), message));
             }
-            found.extend(changes.into_iter().map(|change| Tolerance {
+            let tolerances = changes.into_iter().map(|change| Tolerance {
                 change,
                 deviation: value,
-            }));
-        }
-        Ok(found)
+            });
+            Ok(Vec::from_iter(tolerances))
+        });
+        Ok(Failure::all(each)?.concat())
     }
 
     /// A note on the first tolerance that seems to be in another unit.

@@ -44,12 +44,11 @@ impl Loaded<'_> {
             .get_ref()
             .iter()
             .map(|(name, each)| of_moves.read_move(name, each));
-        let moves: Vec<Move> = moves.collect::<Result<_, _>>()?;
         let targets = targets
             .get_ref()
             .iter()
             .map(|(name, each)| naming.read_target(name, each));
-        let targets: Vec<Target> = targets.collect::<Result<_, _>>()?;
+        let (moves, targets) = Failure::both(Failure::all(moves), Failure::all(targets))?;
         match (moves.is_empty(), targets.is_empty()) {
             (false, false) => Ok((moves, targets)),
             (true, _) => Err(source.refuse(&table.span(), "no moves: write [tune.moves.NAME]")),

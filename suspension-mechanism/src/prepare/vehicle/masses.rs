@@ -34,8 +34,7 @@ pub(crate) fn masses(
         design,
     };
     let each = table.get_ref().iter();
-    each.map(|(name, mass)| reader.read_mass(name, mass))
-        .collect()
+    Failure::all(each.map(|(name, mass)| reader.read_mass(name, mass)))
 }
 
 struct Reader<'a> {

@@ -50,7 +50,7 @@ pub(crate) fn springs(
             design: design[measure],
         })
     });
-    each.collect()
+    Failure::all(each)
 }
 
 /// The remedy if a spring is stated along a drive.

@@ -1,0 +1,104 @@
+//! Several mistakes of one file: all are told in one run, in the order of the file, each in one line.
+
+use super::refusal;
+use crate::program::CORNER;
+
+/// The beginnings of the lines with which `check` refuses a file, behind its name.
+fn refused(file: &str) -> Vec<String> {
+    let message = refusal("check", &[("a.toml", file)], &[]);
+    let lines = message.lines().map(|line| {
+        let line = line.strip_prefix("a.toml:").unwrap_or(line);
+        line.split(';').next().unwrap_or_default().to_owned()
+    });
+    lines.collect()
+}
+
+#[test]
+fn mistakes_in_the_notation_are_told_together() {
+    let file = "linkage = \"double_wishbone\"\nunit = \"m\"\n[time]\nstart = 0,0\nstop = 1.0s\nstep = 0.1\n[drives]\nsteer = .34\nbump: 0.3\n";
+    assert_eq!(
+        refused(file),
+        [
+            "4:10: unexpected key or value, expected newline, `#`",
+            "5:11: `1.0s` is no number",
+            "8:9: `.34` is no number",
+            "9:7: key with no value, expected `=`",
+        ]
+    );
+}
+
+/// The lines behind it are read as parts of the list.
+#[test]
+fn only_the_first_mistake_behind_an_open_bracket_is_told() {
+    let file = CORNER.replace("{ instants = [0.0] }", "{ instants = [0.0");
+    assert_eq!(
+        refused(&file),
+        ["5:1: missing comma between array elements, expected `,`"]
+    );
+}
+
+#[test]
+fn mistakes_in_keys_and_values_are_told_together() {
+    let file = "linkage = \"double_wishbone\"\nunti = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump = \"a\"\nsteer = 0.34\n\
+                [springs.coil]\nalong = 3\n[springs.bar]\nrate = 1e4\n";
+    assert_eq!(
+        refused(file),
+        [
+            "2:1: unknown field `unti`",
+            "6:8: invalid type: string \"a\", expected a number, coefficients of a polynomial of time as [value, rate, ...], a sine \
+             as { mean = 0.30, amplitude = 0.05, frequency = 1.5 }, or a recording as { csv = \"logged.csv\", columns = \
+             [\"t_s\", \"bump\"] }",
+            "9:9: invalid type: integer `3`, expected a text in quotes",
+            "10:1: missing field `along`",
+        ]
+    );
+}
+
+/// `unit` is missing because it is misspelt, and the rest of a spring with a mistake is not looked at.
+#[test]
+fn what_follows_from_another_mistake_is_not_told() {
+    let file = CORNER.replace("unit", "unti");
+    assert_eq!(refused(&file), ["2:1: unknown field `unti`"]);
+    let file = format!("{CORNER}[springs.coil]\nalong = 3\n");
+    assert_eq!(
+        refused(&file),
+        ["9:9: invalid type: integer `3`, expected a text in quotes"]
+    );
+}
+
+#[test]
+fn mistakes_in_names_and_numbers_are_told_together() {
+    let file = "linkage = \"double_wishbone\"\nunit = \"m\"\n[points]\nupper_ball = [nan, 0.66, 0.44]\nrack = [inf, 0.34, 0.20]\n\
+                [time]\ninstants = [0.0, 0.0]\n[drives]\nbumb = 0.3\nstear = 0.34\n[design]\nbump = nan\nsteer = inf\n";
+    assert_eq!(
+        refused(file),
+        ["7:18: the instants must increase or decrease throughout, but 0 s follows 0 s"]
+    );
+    assert_eq!(
+        refused(&file.replace("[0.0, 0.0]", "[0.0]")),
+        [
+            "4:14: point `upper_ball` has a coordinate that is not a finite number",
+            "5:8: point `rack` has a coordinate that is not a finite number",
+            "12:8: drive `bump` is not a finite number",
+            "13:9: drive `steer` is not a finite number",
+            "9:1: unknown drive `bumb`",
+            "10:1: unknown drive `stear`",
+        ]
+    );
+}
+
+#[test]
+fn mistakes_in_what_single_analyses_state_are_told_together() {
+    let file = format!(
+        "{CORNER}[loads.brake]\nwhel_centre = [0, 0, 1]\nupper_bal = [0, 0, 1]\n[tolerances]\nx = 0.001\nrack = -1\n"
+    );
+    assert_eq!(
+        refused(&file),
+        [
+            "9:1: unknown place `whel_centre`",
+            "10:1: unknown place `upper_bal`",
+            "12:1: unknown point or link `x`",
+            "13:8: a tolerance must be zero or a positive number: the standard deviation in the unit of lengths",
+        ]
+    );
+}
