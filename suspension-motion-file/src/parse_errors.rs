@@ -75,6 +75,9 @@ fn hint(message: &str, source: &Source, start: usize) -> String {
                 format!("; a part of a named wheel or side is written {joined}")
             }
             (_, Some(place)) => format!("; {name} belongs {place}"),
+            _ if ["track", "track_width"].contains(&name) => {
+                "; the track follows from the points of the wheels".to_owned()
+            }
             (_, None) => did_you_mean(name, quoted),
         }
     } else if message.starts_with("unknown word") {

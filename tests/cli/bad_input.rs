@@ -32,7 +32,7 @@ const BAD: [Case; 78] = [
     ("d7_2", "d99 = 0.3", ":31:1", "unknown length `d99`"),
     ("p7", "p7 = [-1.3055, 0.38, 0.0405]", ":20:6", "in line: point `p8`"),
     ("instants", "start = 0\nstop = 1\nstep = 0", ":53:8", "the time step is zero; write its length in seconds, as step = 0.01"),
-    ("instants", "start = 0\nstop = 1\nstep = -0.1", ":53:8", "leads away from the stop at 1 s; write step = 0.1"),
+    ("instants", "start = 0\nstop = 1\nstep = -0.1", ":53:8", "leads away from the stop at 1 s; write step = 0.1, or exchange start and stop"),
     ("instants", "start = 0\nstop = 1\nstep = 10", ":53:8", "longer than the motion from 0 s to 1 s"),
     ("instants", "start = 0\nstop = 1\nstep = 1e-9", ":53:8", "at most"),
     ("instants", "start = 0\nstop = inf\nstep = 1", ":52:8", "finite"),

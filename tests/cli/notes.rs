@@ -147,7 +147,9 @@ fn small_misfits_of_points_are_noted_with_and_without_a_design() {
     for more in ["", design] {
         let message = notes(&strut(0.01, more));
         assert!(
-            message.starts_with("note: a.toml: the points do not satisfy equation `strut"),
+            message.starts_with(
+                "note: a.toml: the points do not satisfy equation `strut_y` of slide `strut`, by "
+            ),
             "{message}"
         );
     }
@@ -163,6 +165,12 @@ fn points_far_from_their_equations_are_refused() {
         let output = run(folder.path(), &["motion", "a.toml"]);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message.starts_with(
+                "a.toml:1:11: the points do not satisfy equation `strut_y` of slide `strut`, by "
+            ),
+            "{message}"
+        );
         assert!(
             message.contains("more than a tenth of the suspension's size; correct a point of the statement that has this equation"),
             "{message}"
@@ -233,7 +241,9 @@ drives = { left_bump = 200, right_bump = 200 }
 fn notes_on_two_equal_sides_name_the_same_side() {
     let message = notes(SEATS);
     assert!(
-        message.contains("equation `left_seat_on_upper_z`, by 9.99 mm; "),
+        message.contains(
+            "equation `left_seat_on_upper_z` of slide `left_seat_on_upper`, by 9.99 mm; "
+        ),
         "{message}"
     );
     assert!(

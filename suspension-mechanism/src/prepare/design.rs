@@ -135,7 +135,9 @@ fn check_nearness(task: &Task<'_>, off: Option<Unsatisfied>, size: f64) -> Resul
          that has this equation, or the statement",
         task.unsatisfied_in_words(off)
     );
-    Err(task.source.refuse(&task.file.points.span(), message))
+    Err(task
+        .source
+        .refuse(&task.place_of_equation(off.equation), message))
 }
 
 /// The failure to assemble: the equation at which a solver ends tells little about the number that was mistyped.

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 use suspension_core::{Motion, Values};
-use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::LeadingMeasure;
@@ -33,7 +32,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let assembled = Assembled::<L, N>::new(&request, listing)?;
     let (task, design) = (&assembled.task, &assembled.design);
     let measured = assembled.measured();
-    let (names, of_drives) = complete_names(&assembled, request.listing, &measured)?;
+    let (names, of_drives) = complete_names(&assembled, &measured)?;
     let drives = task.drive_laws(&design.drive_offsets, &design.drives)?;
     let doubts = doubts(&assembled, &drives, request.instants);
     let outlier = assembled.outlier.iter();
@@ -75,12 +74,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
 /// usual names.
 fn complete_names<L: Suspension<N>, const N: usize>(
     assembled: &Assembled<'_, L, N>,
-    listing: Option<&Listing>,
     measured: &Measured,
 ) -> Result<(Names, Vec<String>), Failure> {
     let (task, design) = (&assembled.task, &assembled.design);
-    let springs = springs(task, listing, &measured.in_file);
-    let masses = listing.map_or(Ok(Vec::new()), |listing| {
+    let springs = springs(task, &measured.in_file);
+    let masses = task.listing.map_or(Ok(Vec::new()), |listing| {
         let origin = task.origin.position();
         masses(task, listing, (origin, &assembled.points_in_file()))
     });
@@ -134,7 +132,7 @@ fn remarks<L: Suspension<N>, const N: usize>(
     let (task, design) = (&assembled.task, &assembled.design);
     let (given, has_outlier) = (&assembled.given, assembled.outlier.is_some());
     let mut notes = notes(task, given, &design.points, design.off, has_outlier);
-    if let Some(listing) = request.listing {
+    if let Some(listing) = task.listing {
         notes.extend(loose_markers(task, design, listing));
         notes.extend(one_sided_masses::note(task, listing));
         notes.extend(neither_side::notes(task, listing, given));

@@ -1,10 +1,12 @@
 //! A file that is being prepared, and what is to be made of it.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use suspension_core::GeometryError;
 use suspension_core::listing::{Part, Parts};
 use suspension_core::model::local::LocalOrigin;
-use suspension_runtime::Listing;
+use suspension_runtime::{Listing, Statement};
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -40,6 +42,8 @@ pub(super) struct Task<'a> {
     pub(super) source: &'a Source,
     /// The file as it was read: in its own coordinates and units.
     pub(super) file: &'a MotionFile,
+    /// Its listing, if that was read at run time.
+    pub(super) listing: Option<&'a Listing>,
     /// The first instant, s.
     pub(super) first: f64,
     /// The last instant, s.
@@ -56,6 +60,7 @@ impl<'a> Task<'a> {
         Self {
             source: request.source,
             file: request.file,
+            listing: request.listing,
             first,
             last,
             names,
@@ -95,8 +100,34 @@ impl<'a> Task<'a> {
     pub(super) fn unsatisfied_in_words(&self, Unsatisfied { equation, by }: Unsatisfied) -> String {
         const DIGITS: usize = 3;
         let (by, unit) = (rounded(by, DIGITS), self.file.unit().symbol());
-        let equation = self.names.name(Part::Equation(equation));
-        format!("equation `{equation}`, by {by} {unit}")
+        let name = self.names.name(Part::Equation(equation));
+        let statement = self.statement_of(equation);
+        let of = statement.map(|statement| format!(" of {} `{}`", statement.kind, statement.name));
+        format!(
+            "equation `{name}`{}, by {by} {unit}",
+            of.unwrap_or_default()
+        )
+    }
+
+    /// The place of the first point of the statement that has an equation.
+    pub(super) fn place_of_equation(&self, equation: usize) -> Range<usize> {
+        let stated = self.file.points.get_ref();
+        let points = self
+            .statement_of(equation)
+            .map(|statement| statement.points);
+        let mut points = points.into_iter().flatten();
+        let point = points.find_map(|point| stated.get(self.names.points[point].as_str()));
+        point.map_or_else(|| self.file.points.span(), Spanned::span)
+    }
+
+    fn statement_of(&self, equation: usize) -> Option<Statement<'a>> {
+        let mut statements = self.listing?.statements().into_iter();
+        statements.find(|statement| {
+            statement
+                .equations
+                .iter()
+                .any(|rows| rows.contains(&equation))
+        })
     }
 
     /// Notes with the name of the file before them.

@@ -48,7 +48,7 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     }
     if (stop - first) / step < 0.0 {
         return refuse(format!(
-            "the time step {} s leads away from the stop at {} s; write step = {}",
+            "the time step {} s leads away from the stop at {} s; write step = {}, or exchange start and stop",
             exact(step),
             exact(stop),
             exact(-step)

@@ -117,10 +117,30 @@ impl<'de> Written<'de> for StatedLaw {
     }
 
     fn list<D: Deserializer<'de>>(list: D) -> Result<Self, D::Error> {
-        Vec::deserialize(list).map(Self::Polynomial)
+        let coefficients: Vec<Coefficient> = Vec::deserialize(list)?;
+        let numbers = coefficients.into_iter().map(|Coefficient(number)| number);
+        Ok(Self::Polynomial(numbers.collect()))
     }
 
     fn table<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
         Keys::deserialize(table)?.law()
+    }
+}
+
+/// A coefficient of a polynomial of time.
+struct Coefficient(f64);
+
+impl<'de> Deserialize<'de> for Coefficient {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_written(deserializer)
+    }
+}
+
+impl<'de> Written<'de> for Coefficient {
+    const EXPECTED: &'static str = "a number, one of the coefficients [value, rate, ...]; values over time stand in a file, as \
+         { csv = \"logged.csv\", columns = [\"t_s\", \"bump\"] }";
+
+    fn number(value: f64) -> Option<Self> {
+        Some(Self(value))
     }
 }

@@ -57,6 +57,12 @@ fn for_a_value_of_another_kind_its_notation_is_given() {
             "4:21: invalid type: floating point `0.0`, expected a list in brackets, [...]; write [0.0]",
         ),
         (
+            "bump = 0.3",
+            "bump = [[0.0, 0.3], [1.0, 0.4]]",
+            "6:9: invalid type: list, expected a number, one of the coefficients [value, rate, ...]; values over time stand in a file, \
+             as { csv = \"logged.csv\", columns = [\"t_s\", \"bump\"] }",
+        ),
+        (
             "[drives]\n",
             "[[drives]]\n",
             "5:1: invalid type: list, expected a table with a line for each name; write [drives] with a line for each drive, as bump = \
@@ -124,18 +130,23 @@ fn for_a_short_or_another_name_of_a_key_the_key_is_suggested() {
         let expected = format!("unknown field `{other}`; did you mean `{key}`?");
         assert!(message.ends_with(&expected), "{message}");
     }
-    let message = refusal(
-        "check",
-        &[(
-            "a.toml",
-            &with_line("springs.coil = { along = \"damper\", stiffness = 28000.0 }"),
-        )],
-        &[],
-    );
-    assert!(
-        message.ends_with("unknown field `stiffness`; did you mean `rate`?"),
-        "{message}"
-    );
+    for (file, expected) in [
+        (
+            with_line("springs.coil = { along = \"damper\", stiffness = 28000.0 }"),
+            "unknown field `stiffness`; did you mean `rate`?",
+        ),
+        (
+            CORNER.replace("wheel_radius", "tyre_radius"),
+            "unknown field `tyre_radius`; did you mean `wheel_radius`?",
+        ),
+        (
+            CORNER.replace("wheel_radius", "track"),
+            "unknown field `track`; the track follows from the points of the wheels",
+        ),
+    ] {
+        let message = refusal("check", &[("a.toml", &file)], &[]);
+        assert!(message.ends_with(expected), "{message}");
+    }
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! The springs of a motion file, with the indices of their measures.
 
 use suspension_listing::did_you_mean::unknown;
-use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::mechanism::Spring;
@@ -12,11 +11,7 @@ use crate::prepare::task::Task;
 /// # Errors
 ///
 /// [`Failure::Input`] at a name that is not a measure, and at a rate or load that is not finite.
-pub(crate) fn springs(
-    task: &Task<'_>,
-    listing: Option<&Listing>,
-    design: &[f64],
-) -> Result<Vec<Spring>, Failure> {
+pub(crate) fn springs(task: &Task<'_>, design: &[f64]) -> Result<Vec<Spring>, Failure> {
     let Some(table) = &task.file.springs else {
         return Ok(Vec::new());
     };
@@ -26,7 +21,7 @@ pub(crate) fn springs(
         let stated = stated.get_ref();
         let along = stated.along.get_ref().as_str();
         let measure = task.names.measure(along).ok_or_else(|| {
-            let message = remedy_along_drive(task, listing, along)
+            let message = remedy_along_drive(task, along)
                 .unwrap_or_else(|| unknown("measure", along, &task.names.measure_names()));
             task.source.refuse(&stated.along.span(), message)
         })?;
@@ -54,9 +49,11 @@ pub(crate) fn springs(
 }
 
 /// The remedy if a spring is stated along a drive.
-fn remedy_along_drive(task: &Task<'_>, listing: Option<&Listing>, name: &str) -> Option<String> {
+fn remedy_along_drive(task: &Task<'_>, name: &str) -> Option<String> {
     let drive = task.names.drive(name)?;
-    let line = listing.and_then(|listing| listing.driven_length(drive));
+    let line = task
+        .listing
+        .and_then(|listing| listing.driven_length(drive));
     let [from, to] = line.unwrap_or(["a", "b"]);
     Some(format!(
         "`{name}` is a drive, and a spring acts along a measure: add `measure NAME: length({from} -> {to});` to the listing, and write \
