@@ -51,10 +51,7 @@ fn in_entries<T: DeserializeOwned>(mut table: Spanned<DeTable<'_>>) -> Vec<Error
         // The place of the whole text is empty.
         let place = error.span().filter(|place| !place.is_empty());
         let path = place.map_or(Path::new(), |place| take_out(table.get_mut(), &place));
-        let is_of_it = |other: &Path| other.len() == path.len() + 1 && other.starts_with(&path);
-        let is_consequence =
-            error.message().starts_with("missing field") && left_out.iter().any(is_of_it);
-        if !is_consequence {
+        if !follows(&error, &path, &left_out) {
             errors.push(error);
         }
         if path.is_empty() {
@@ -63,6 +60,19 @@ fn in_entries<T: DeserializeOwned>(mut table: Spanned<DeTable<'_>>) -> Vec<Error
         left_out.push(path);
     }
     errors
+}
+
+/// Whether a field is missing in the entry at `path` because one was left out of it, or because it was in another table.
+fn follows(error: &Error, path: &[String], left_out: &[Path]) -> bool {
+    let message = error.message();
+    let Some(quoted) = message.strip_prefix("missing field `") else {
+        return false;
+    };
+    let missing = quoted.split('`').next();
+    left_out.iter().any(|other| {
+        let was_in_it = other.len() == path.len() + 1 && other.starts_with(path);
+        was_in_it || other.last().map(String::as_str) == missing
+    })
 }
 
 /// Takes the innermost entry that has a place within it out of a table.

@@ -54,11 +54,13 @@ fn mistakes_in_keys_and_values_are_told_together() {
     );
 }
 
-/// `unit` is missing because it is misspelt, and the rest of a spring with a mistake is not looked at.
+/// `unit` is missing because it is misspelt or in another table, and the rest of a spring with a mistake is not looked at.
 #[test]
 fn what_follows_from_another_mistake_is_not_told() {
     let file = CORNER.replace("unit", "unti");
     assert_eq!(refused(&file), ["2:1: unknown field `unti`"]);
+    let file = "linkage = \"double_wishbone\"\n[time]\nunit = \"m\"\ninstants = [0.0]\n[drives]\nbump = 0.3\nsteer = 0.34\n";
+    assert_eq!(refused(file), ["3:1: unknown field `unit`"]);
     let file = format!("{CORNER}[springs.coil]\nalong = 3\n");
     assert_eq!(
         refused(&file),
