@@ -49,6 +49,9 @@ impl Check<'_> {
     /// Reports a length that is kept already. If only one of the two statements is a mirror image, the error
     /// is at the other one.
     fn length_twice(&mut self, length: &Ident, other: &Ident) {
+        if length == other {
+            return; // That the name is taken is reported already.
+        }
         let error = match (self.is_image(length), self.is_image(other)) {
             (true, false) => kept_by_image(other, length),
             (false, true) => kept_by_image(length, other),

@@ -142,7 +142,8 @@ fn not_a_position(word: &Ident) -> Error {
 
 fn not_three_coordinates(span: Span, what: &str, numbers: &[f64]) -> Error {
     let count = numbers.len();
-    let is_split = count > 3 && numbers.iter().all(|number| number.fract() == 0.0);
+    let is_whole = |number: &f64| number.fract() == 0.0;
+    let is_split = count > 3 && numbers.windows(2).any(|pair| pair.iter().all(is_whole));
     let comma = if is_split {
         "; a decimal separator is a point, as in 0.5"
     } else {

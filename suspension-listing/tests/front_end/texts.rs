@@ -228,11 +228,27 @@ fn a_unit_or_a_comma_within_coordinates_is_refused_with_what_to_write() {
             "[0,7, 0,1, 0,2]",
             "a design position has three coordinates, 6 are given; write `[x, y, z]`; a decimal separator is a point, as in 0.5",
         ),
+        (
+            "[0.2, 0,35, 0.16]",
+            "a design position has three coordinates, 4 are given; write `[x, y, z]`; a decimal separator is a point, as in 0.5",
+        ),
     ] {
         let reported = mistakes(&format!("fixed: a at {position};"));
         let mut messages = reported.iter().map(|mistake| mistake.message.as_str());
         assert!(messages.any(|message| message == expected), "{reported:?}");
     }
+}
+
+#[test]
+fn a_link_that_is_stated_twice_gives_one_message() {
+    let link = "link rod: a -> c;";
+    let reported = mistakes(&format!("fixed: a, b; free: c; {link} {link}"));
+    let messages = reported.iter().map(|mistake| mistake.message.as_str());
+    let of_rod = messages.filter(|message| message.contains("`rod`"));
+    assert_eq!(
+        of_rod.collect::<Vec<_>>(),
+        ["the name `rod` is already taken by a link; choose another"]
+    );
 }
 
 #[test]
