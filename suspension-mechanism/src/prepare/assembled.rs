@@ -119,7 +119,6 @@ fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<LeadingMea
     let mut checks = vec![
         check::point_names(source, file, &names.points),
         check::points(source, file, names.markers(), &unjoined.unwrap_or_default()),
-        check::drives(source, &file.drives),
     ];
     if let Some(lengths) = &file.lengths {
         checks.push(check::names(source, lengths, "length", &names.lengths));
@@ -129,6 +128,7 @@ fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<LeadingMea
         checks.push(check::names(source, design, "drive", &drives));
         checks.push(check::finite_values(source, design, "drive"));
     }
+    checks.push(check::drives(source, &file.drives));
     let leading = leading_measure(source, &file.drives, &drives, &names.measure_names());
     let (_, leading) = Failure::both(Failure::all(checks), leading)?;
     Ok(leading)
