@@ -220,7 +220,8 @@ possible.
 
 Along a measure, the outputs are functions of the measure and their derivatives are with respect to it. The measure leads in
 place of the drive, even where the drive turns. If the measure itself turns back within the range, or does not reach it,
-bake refuses the range and names one that is possible.
+bake refuses the range and names one that is possible. If it has the same values on two branches, one on either side of where
+it turns back, bake takes that of the file's first instant, and the file says so.
 
 Over two drives, such as travel and steering, the result is a surface of patches, checked at points all over each patch; at
 most one derivative is continuous across patches.

@@ -17,10 +17,10 @@
  *           written only then. The functions named `advance` keep their progress. With
  *           SUSP_ERROR_SMALL_PIVOT a model is made nevertheless.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. Functions that make models
- *           or solve report NaN and infinities, except in drives that only measures use, and in the inputs
- *           from which `step_between` and `advance` start, which only sub-steps need; functions that only
- *           read, transform or evaluate may pass them on. Axes of wheels: x forward, y left, z up
- *           (ISO 8855).
+ *           or solve report NaN and infinities among the numbers on which their results depend. They do not
+ *           examine others, for example rates of the drives in a step for SUSP_POSITION, or the inputs from
+ *           which `step_between` and `advance` start, which only sub-steps need. Functions that only read,
+ *           transform or evaluate may pass NaN on. Axes of wheels: x forward, y left, z up (ISO 8855).
  * Structs   of named points or numbers are also arrays in the order of their members.
  */
 #ifndef SUSP_H

@@ -99,6 +99,44 @@ fn a_small_pivot_is_reported_and_the_model_is_built() {
     assert_eq!(stepped, Status::Ok);
 }
 
+/// As `suspension.h` says of numbers.
+#[test]
+fn numbers_on_which_a_result_does_not_depend_are_not_examined() {
+    let (model, mut motion) = (model(), at_rest());
+    let (model, design) = ((&model).into(), (&DESIGN).into());
+    let drives: Drives =
+        made(|drives| five_link_f32::model_drives(model, design, drives)).expect("drives");
+    let no_rate = inputs(drives, f32::NAN);
+    let mut step = |outputs| {
+        let motion = (&mut motion).into();
+        let (report, failure) = (None.into(), None.into());
+        five_link_f32::bounded_step(
+            model,
+            (&no_rate).into(),
+            outputs,
+            0.0,
+            motion,
+            report,
+            failure,
+        )
+    };
+    assert_eq!([0, 1].map(&mut step), [Status::Ok, Status::Overflow]);
+    let size = size_of::<Motion>();
+    let assembled: Result<Motion, Status> = made(|motion| {
+        let (assembly, failure) = (None.into(), None.into());
+        five_link_f32::assemble(
+            model,
+            (&no_rate).into(),
+            design,
+            motion,
+            size,
+            assembly,
+            failure,
+        )
+    });
+    assert!(assembled.is_ok());
+}
+
 #[test]
 fn a_refused_step_reports_part_value_and_bound() {
     let (model, mut motion) = (model(), at_rest());

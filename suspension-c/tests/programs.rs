@@ -67,6 +67,25 @@ fn a_listing_from_text_in_c_moves_like_the_compiled_one_in_rust() {
     assert!(complaint.starts_with("listing:3:"), "{complaint}");
 }
 
+/// A program that destroys its objects leaves no memory behind, not even what the standard library keeps of a thread.
+#[test]
+fn a_program_in_c_that_reads_a_listing_frees_all_memory() {
+    let name = "a_program_in_c_that_reads_a_listing_frees_all_memory";
+    if !has("cc", name) || !has("valgrind", name) {
+        return;
+    }
+    let library = example("catalogue").join("libcatalogue.a");
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("listing");
+    compile("listing.c", &[], &library, &program);
+    let text = "suspension-core/src/linkages/double_wishbone_pushrod.linkage";
+    run(Command::new("valgrind")
+        .args(["--quiet", "--leak-check=full", "--show-leak-kinds=all"])
+        .args(["--errors-for-leak-kinds=all", "--error-exitcode=1"])
+        .arg(&program)
+        .arg(root().join(text)));
+}
+
 /// C reads each wheel of an axle by its number and gets what Rust reads by the wheel's name.
 #[test]
 fn wheels_of_an_axle_read_in_c_equal_those_in_rust() {

@@ -1,6 +1,7 @@
 //! Baked files.
 
 mod along;
+mod branch;
 mod c;
 mod contents;
 mod kept;

@@ -139,11 +139,15 @@ impl Baking<'_> {
     fn held(&self, variables: &[Variable], unit: Unit) -> String {
         let drives = self.mechanism.names.drives.iter().enumerate();
         let held = drives.filter(|(drive, _)| variables.iter().all(|one| one.drive != *drive));
-        let held = held.map(|(drive, Drive { name, kind })| {
-            let value = exact(self.given(drive, self.first(drive)));
-            format!("{name} = {value} {}", Dimension::from(*kind).symbol(unit))
-        });
+        let held = held.map(|(drive, _)| self.at_first_instant(drive, unit));
         held.collect::<Vec<_>>().join(", ")
+    }
+
+    /// A drive with its value at the first instant, in a unit.
+    fn at_first_instant(&self, drive: usize, unit: Unit) -> String {
+        let Drive { name, kind } = &self.mechanism.names.drives[drive];
+        let value = exact(self.given(drive, self.first(drive)));
+        format!("{name} = {value} {}", Dimension::from(*kind).symbol(unit))
     }
 
     fn table(&self, variables: &[Variable]) -> Result<Table, Failure> {

@@ -41,6 +41,10 @@ pub(crate) fn docs(input: ParseStream<'_>) -> syn::Result<Vec<String>> {
 pub(crate) fn first_word(input: ParseStream<'_>) -> Option<Ident> {
     let ahead = input.fork();
     ahead.call(Attribute::parse_outer).ok()?;
+    // The first error of `syn` in a thread allocates, and the main thread never frees that: a good listing makes none.
+    if !ahead.peek(Ident) {
+        return None;
+    }
     let word = ahead.parse().ok()?;
     let begins = ahead.peek(Token![:]) || ahead.peek(Ident) && ahead.peek2(Token![:]);
     begins.then_some(word)

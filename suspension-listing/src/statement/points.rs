@@ -118,7 +118,8 @@ impl Parse for Number {
         let is_negative = input.parse::<Option<Token![-]>>()?.is_some();
         let place = input.span();
         let number = number(input)?;
-        if let Ok(unit) = input.fork().parse::<Ident>() {
+        if input.peek(Ident) {
+            let unit: Ident = input.parse()?;
             return Err(has_a_unit(place, &number.to_string(), &format!(" {unit}")));
         }
         // The image of a zero must not be a negative zero.

@@ -13,7 +13,7 @@ use crate::bake::driven::Output;
 use crate::bake::surface::BakedSurface;
 use crate::number::{counted, rounded};
 
-pub use about::{About, Ranged};
+pub use about::{About, Ranged, Replaced};
 
 /// The language of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -111,7 +111,7 @@ fn a_rust_file_baked_along_a_measure_gives_the_same_digits() {
         "{file}"
     );
     assert!(
-        file.contains("// Measure: damper from 0.21 to 0.26 m, in place of drive bump.\n"),
+        file.contains("// Measure: damper from 0.21 to 0.26 m, in place of drive bump, on the branch of bump = 0.3 m.\n"),
         "{file}"
     );
     is_as_kept(&file, "wheel_by_damper.rs");

@@ -172,7 +172,17 @@ int main(void)
         if (memcmp(found, rows[i].bits, sizeof found) != 0)
             return 2;
     }}
-    return wheel_by_bump_and_steer(outside, rates, second_rates, found, NULL, NULL) == 1 ? 0 : 3;
+    if (wheel_by_bump_and_steer(outside, rates, second_rates, found, NULL, NULL) != 1)
+        return 3;
+    /* a look-up of the position alone, and one at rest */
+    if (wheel_by_bump_and_steer(rows[0].at, NULL, NULL, found, NULL, NULL) != 0 || memcmp(found, rows[0].bits, 48) != 0)
+        return 4;
+    if (wheel_by_bump_and_steer(rows[0].at, NULL, NULL, found, found + 6, found + 12) != 0)
+        return 5;
+    for (int i = 6; i < 18; i++)
+        if (found[i] != 0.0)
+            return 6;
+    return 0;
 }}
 "#
     );

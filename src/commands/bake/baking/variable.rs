@@ -1,6 +1,6 @@
 //! A drive or a measure over its range, with names and units.
 
-use crate::bake::source::Ranged;
+use crate::bake::source::{Ranged, Replaced};
 use crate::characteristics::Span;
 use crate::commands::bake::baking::Baking;
 use crate::file::Dimension;
@@ -21,12 +21,15 @@ pub(super) struct Variable {
 impl Baking<'_> {
     /// Describes a drive or a measure and its range; `unit` is that of the baked functions.
     pub(super) fn ranged(&self, along: &Variable, unit: Unit) -> Ranged {
-        let drive = &self.mechanism.names.drives[along.drive];
+        let replaced = || Replaced {
+            drive: self.mechanism.names.drives[along.drive].name.clone(),
+            start: self.at_first_instant(along.drive, unit),
+        };
         Ranged {
             name: self.name(along).to_owned(),
             unit: self.dimension(along).symbol(unit),
             range: along.range,
-            in_place_of: along.measure.map(|_| drive.name.clone()),
+            in_place_of: along.measure.map(|_| replaced()),
         }
     }
 

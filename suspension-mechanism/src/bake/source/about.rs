@@ -34,7 +34,16 @@ pub struct Ranged {
     /// Its first and last value.
     pub range: [f64; 2],
     /// The drive that a measure stands in for.
-    pub in_place_of: Option<String>,
+    pub in_place_of: Option<Replaced>,
+}
+
+/// A drive in whose place a measure leads.
+#[derive(Clone, Debug)]
+pub struct Replaced {
+    /// Its name.
+    pub drive: String,
+    /// Its value at the position from which the measure leads, in words. The measure may have the same values elsewhere.
+    pub start: String,
 }
 
 impl Ranged {
@@ -55,7 +64,9 @@ impl Ranged {
         let range = self.in_words();
         match &self.in_place_of {
             None => format!("Drive: {range}."),
-            Some(drive) => format!("Measure: {range}, in place of drive {drive}."),
+            Some(Replaced { drive, start }) => {
+                format!("Measure: {range}, in place of drive {drive}, on the branch of {start}.")
+            }
         }
     }
 }

@@ -112,8 +112,8 @@ static inline void wheel_by_bump_and_steer_polynomial(const wheel_by_bump_and_st
 
 /*
  * Position, velocity and acceleration where the drives have the values `drives` and move at `rates` per second and
- * `second_rates` per second squared. Where `velocity` or `acceleration` is NULL it is not written. Returns 0;
- * or 1 where a drive is outside its range, and then writes nothing.
+ * `second_rates` per second squared. NULL in place of rates stands for zeros. Where `velocity` or `acceleration`
+ * is NULL it is not written. Returns 0; or 1 where a drive is outside its range, and then writes nothing.
  */
 static inline int wheel_by_bump_and_steer(const wheel_by_bump_and_steer_number drives[2], const wheel_by_bump_and_steer_number rates[2],
         const wheel_by_bump_and_steer_number second_rates[2], wheel_by_bump_and_steer_number position[6],
@@ -129,8 +129,8 @@ static inline int wheel_by_bump_and_steer(const wheel_by_bump_and_steer_number d
         const wheel_by_bump_and_steer_number along = (drives[way] - wheel_by_bump_and_steer_ranges[way][0]) * per_unit;
         place[way] = (int)along < counts[way] ? (int)along : counts[way] - 1;
         variable[way] = along - place[way];
-        rate[way] = rates[way] * per_unit;
-        second_rate[way] = second_rates[way] * per_unit;
+        rate[way] = rates != NULL ? rates[way] * per_unit : 0;
+        second_rate[way] = second_rates != NULL ? second_rates[way] * per_unit : 0;
     }
     const wheel_by_bump_and_steer_number (*patch)[6][6] = wheel_by_bump_and_steer_patches[place[0] * WHEEL_BY_BUMP_AND_STEER_ACROSS + place[1]];
     for (int i = 0; i < 6; i++) {

@@ -1,7 +1,7 @@
 // The wheel centre and spin axis (unit length, outboard) of double_wishbone_pushrod as a function of measure damper.
 // Baked by `suspension bake` from a.toml.
 //
-// Measure: damper from 0.21 to 0.26 m, in place of drive bump.
+// Measure: damper from 0.21 to 0.26 m, in place of drive bump, on the branch of bump = 0.3 m.
 // Held: steer = 0.34 m.
 // Lengths in m; axes x forward, y left, z up.
 // The spin axis counts as a point 1 m from the wheel centre.

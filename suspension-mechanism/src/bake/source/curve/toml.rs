@@ -13,7 +13,7 @@ pub(super) fn text(file: &CurveFile<'_>) -> String {
     let argument = file.argument;
     let in_place_of = argument.in_place_of.iter();
     let in_place_of: String = in_place_of
-        .map(|drive| format!("in_place_of = {drive:?}\n"))
+        .map(|replaced| format!("in_place_of = {:?}\n", replaced.drive))
         .collect();
     let _ = write!(
         text,

@@ -68,8 +68,8 @@ fn function(name: &str, width: usize) -> String {
         "\
 /*
  * Position, velocity and acceleration where the drives have the values `drives` and move at `rates` per second and
- * `second_rates` per second squared. Where `velocity` or `acceleration` is NULL it is not written. Returns 0;
- * or 1 where a drive is outside its range, and then writes nothing.
+ * `second_rates` per second squared. NULL in place of rates stands for zeros. Where `velocity` or `acceleration`
+ * is NULL it is not written. Returns 0; or 1 where a drive is outside its range, and then writes nothing.
  */
 static inline int {name}(const {name}_number drives[2], const {name}_number rates[2],
         const {name}_number second_rates[2], {name}_number position[{width}],
@@ -85,8 +85,8 @@ static inline int {name}(const {name}_number drives[2], const {name}_number rate
         const {name}_number along = (drives[way] - {name}_ranges[way][0]) * per_unit;
         place[way] = (int)along < counts[way] ? (int)along : counts[way] - 1;
         variable[way] = along - place[way];
-        rate[way] = rates[way] * per_unit;
-        second_rate[way] = second_rates[way] * per_unit;
+        rate[way] = rates != NULL ? rates[way] * per_unit : 0;
+        second_rate[way] = second_rates != NULL ? second_rates[way] * per_unit : 0;
     }}
     const {name}_number (*patch)[{TERMS}][{width}] = {name}_patches[place[0] * {upper}_ACROSS + place[1]];
 {outputs}    return 0;
