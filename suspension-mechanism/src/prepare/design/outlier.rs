@@ -1,5 +1,5 @@
-//! A point that lies far from all others: one of its coordinates is probably in another unit, or its decimal point has
-//! slipped.
+//! A point that lies far from all others, or beside the origin: its coordinates are probably in another unit, or a decimal point
+//! has slipped.
 
 use std::ops::Range;
 
@@ -28,6 +28,9 @@ const HALFWAY: f64 = 1e-6;
 /// The distance of a point from the others once its unit is corrected, as a multiple of the extent of the others.
 const IN_UNIT: f64 = 1.5;
 
+/// The distance from the origin below which a point may be in a larger unit, as a fraction of the extent of the others.
+const AT_ORIGIN: f64 = 0.01;
+
 /// The smallest number of other points: fewer tell too little of a mechanism's size.
 const FEWEST: usize = 3;
 
@@ -53,10 +56,11 @@ impl Outlier {
         let mut points = points.into_iter().enumerate();
         points.find_map(|(index, (name, place))| {
             let surroundings = Surroundings::new(&places, index)?;
-            surroundings.is_far().then(|| Self {
-                place,
-                in_words: surroundings.in_words(name, task.file.length),
-            })
+            let unit = task.file.length;
+            let far = surroundings.is_far();
+            let far = far.then(|| surroundings.in_words(name, unit));
+            let in_words = far.or_else(|| surroundings.in_larger_unit(name, unit))?;
+            Some(Self { place, in_words })
         })
     }
 
@@ -118,6 +122,25 @@ impl Surroundings {
     fn is_far(&self) -> bool {
         let times = self.away / self.apart;
         times > FAR || (times > FAR_BY_ONE_DIGIT && self.slipped().is_some())
+    }
+
+    /// Describes a point beside the origin that would be among the others if its coordinates were in a larger unit.
+    fn in_larger_unit(&self, name: &str, unit: Length) -> Option<String> {
+        let off = self.at.norm();
+        if self.at.amin() == 0.0 || off > AT_ORIGIN * self.apart {
+            return None;
+        }
+        let is_among = |other: &Length| {
+            let at = self.at * (unit.metre() / other.metre());
+            self.low.inf(&at) == self.low && self.high.sup(&at) == self.high
+        };
+        let larger = Length::ALL.into_iter();
+        let larger = larger.filter(|other| other.metre() < unit.metre());
+        let other = larger.filter(is_among).map(Length::in_words).next()?;
+        let (off, unit) = (rounded(off, 4), unit.symbol());
+        Some(format!(
+            "`{name}` lies {off} {unit} from the origin: is it in {other}?"
+        ))
     }
 
     /// The axis of the only coordinate that is not among the others', if a tenth of it is.
