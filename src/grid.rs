@@ -194,6 +194,7 @@ pub fn doubt(
         design: converted(dimension, mechanism.design[drive]),
         size: converted(Dimension::Length, size),
         unit,
+        seconds: 1.0,
     };
     let scale = unit.file_factor(dimension);
     at_design.doubt(ends.map(|end| end / scale), from, way)

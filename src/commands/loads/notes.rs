@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::commands::loads::case_results::CaseResults;
-use crate::loads::{By, OneSided, Structure};
-use crate::mechanism::{Names, listed, quoted};
+use crate::loads::{By, OneSided, Site, Structure, contact_of};
+use crate::mechanism::{Axes, Names, listed, quoted};
 
 /// Returns the notes on the results of all cases; cases with the same drives or springs share one.
 pub(super) fn notes(
-    names: &Names,
+    (names, axes): (&Names, Axes),
     structure: &Structure<'_>,
     found: &[Option<CaseResults<'_>>],
 ) -> Vec<String> {
@@ -34,8 +34,12 @@ pub(super) fn notes(
     let unstretched = unstretched
         .iter()
         .map(|(springs, cases)| bears_nothing(names, springs, cases));
+    let pulled_down = alike(found, |found| pulled_down(found, axes));
+    let pulled_down = pulled_down
+        .iter()
+        .map(|(wheel, cases)| pulls_down((names, *wheel), cases, axes));
     let notes = by_springs.chain(one_sided).chain(left_out);
-    let notes = notes.chain(unstretched);
+    let notes = notes.chain(unstretched).chain(pulled_down);
     notes
         .chain(shared_along_lines(names, structure, found))
         .collect()
@@ -176,6 +180,30 @@ fn bears_nothing(names: &Names, springs: &[usize], cases: &[&str]) -> String {
          with --drive, or state a load at the design position, load = ..., under [springs.NAME]",
         springs_in_words(names, springs),
         tables(cases)
+    )
+}
+
+/// The first wheel that the ground pulls down.
+fn pulled_down(found: &CaseResults<'_>, axes: Axes) -> Option<usize> {
+    found
+        .case
+        .at
+        .iter()
+        .find_map(|(site, [force, _])| match site {
+            Site::Contact(wheel) if axes.turned(*force).z < 0.0 => Some(*wheel),
+            _ => None,
+        })
+}
+
+/// Notes cases in which the ground pulls a wheel down.
+fn pulls_down((names, wheel): (&Names, usize), cases: &[&str], axes: Axes) -> String {
+    let (cases, contact) = (tables(cases), contact_of(&names.wheels[wheel]));
+    let [_, _, up] = axes.signs();
+    let sign = if up < 0.0 { "negative" } else { "positive" };
+    format!(
+        "the force at `{contact}` in {cases} pulls the wheel down: is the sign of its z right? The ground pushes a wheel up, and up is \
+         {sign} z in the axes of the file, {}",
+        axes.name()
     )
 }
 

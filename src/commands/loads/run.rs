@@ -185,7 +185,8 @@ impl<'a> Run<'a> {
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
-        let notes = notes(&self.mechanism.names, self.structure, found);
+        let of_file = (&self.mechanism.names, self.mechanism.axes);
+        let notes = notes(of_file, self.structure, found);
         print_notes_on(self.source, notes);
         if tables.is_to_stdout() {
             return Ok(());

@@ -95,6 +95,10 @@ impl Structure<'_> {
     }
 }
 
+/// How many times as far as with any other drive of travel a measure moves with the one to which it belongs. A bar or a heave
+/// spring belongs to neither wheel, also where one of them stands higher and the wheels do not move it alike.
+const OWN: f64 = 2.0;
+
 /// The motion of measures with the drives of travel.
 struct Moved<'a> {
     mechanism: &'a dyn Kinematics,
@@ -104,8 +108,7 @@ struct Moved<'a> {
 }
 
 impl Moved<'_> {
-    /// The ratio of a measure to a drive of travel that moves it more than each other one does, and its share of all;
-    /// a measure that both wheels move alike, such as that of a bar, belongs to neither.
+    /// The ratio of a measure to the drive of travel to which it belongs, and the drive's share of all.
     fn with(&self, measure: usize, drive: usize) -> Option<[f64; 2]> {
         let ratios = self.ratios[measure].as_ref()?;
         let own = ratios[drive].abs();
@@ -114,7 +117,7 @@ impl Moved<'_> {
         let (all, most) = sizes.fold((own, 0.0), |(all, most), size| {
             (all + size, f64::max(most, size))
         });
-        (own > most + ROUNDING * all).then_some([own, own / all])
+        (own > OWN * most + ROUNDING * all).then_some([own, own / all])
     }
 
     /// The spring that moves with a drive and least with the others of travel; if several do so alike, the one with

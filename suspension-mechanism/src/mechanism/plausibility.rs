@@ -20,6 +20,8 @@ pub struct DriveAtDesign<'a> {
     pub size: f64,
     /// The units.
     pub unit: Unit,
+    /// How long it takes to move through its values, s; one where no time is stated.
+    pub seconds: f64,
 }
 
 /// The distance within which a value counts as that at the design position, as a fraction of the value.
@@ -28,7 +30,8 @@ const AT_DESIGN: f64 = 0.01;
 /// The fraction of the size, or of the value at the design position, below which something is small.
 const SMALL: f64 = 0.1;
 
-/// A motion smaller than this, as a fraction of the size, is 0.3 mm of a car: nobody moves a drive by so little.
+/// A motion smaller than this, as a fraction of the size, is 0.3 mm of a car: nobody moves a drive by so little, but in a small
+/// part of a second.
 const NO_MOTION: f64 = 4e-4;
 
 /// The number of digits of a value in messages.
@@ -115,7 +118,8 @@ impl DriveAtDesign<'_> {
         };
         let far = farthest(1.0);
         let motion = (ends[1] - ends[0]).abs();
-        let moves_nothing = motion > 0.0 && motion < NO_MOTION * self.size && far < self.size;
+        let least = NO_MOTION * self.size * self.seconds.min(1.0);
+        let moves_nothing = motion > 0.0 && motion < least && far < self.size;
         let is_at = |factor: f64| {
             let off = (ends[0] * factor - self.design).abs();
             from == CountedFrom::Zero && off < AT_DESIGN * self.design.abs()
@@ -165,12 +169,17 @@ mod tests {
             design: 0.3,
             size: 0.8,
             unit: unit(Length::Metre),
+            seconds: 1.0,
         };
         let millimetres = DriveAtDesign {
             design: 300.0,
             size: 800.0,
             unit: unit(Length::Millimetre),
             ..metres
+        };
+        let brief = DriveAtDesign {
+            seconds: 0.008,
+            ..millimetres
         };
         let arm = DriveAtDesign {
             drive: &arm,
@@ -217,6 +226,8 @@ mod tests {
                 "is `bump` in m? The file is in mm",
             ),
             (millimetres, [300.0, 300.05], Zero, "is `bump` in m?"),
+            (brief, [300.0, 300.05], Zero, ""),
+            (brief, [0.3, 0.30005], Zero, "is `bump` in m?"),
             (millimetres, [-0.05, 0.05], Start, "is `bump` in m?"),
             (millimetres, [-0.08, 0.08], Start, "is `bump` in m?"),
             (

@@ -14,7 +14,7 @@ use crate::prepare::design::Design;
 use crate::prepare::first_instant::{self, by_measure};
 use crate::prepare::notes::{
     contradicted_drives, contradicted_wheels, loose_markers, missing_travel, neither_side, notes,
-    of_neither_axle, one_sided_masses, short_of_stop, untwisted_bars, wrong_side,
+    of_neither_axle, one_sided_masses, short_of_stop, unlikely_masses, untwisted_bars, wrong_side,
 };
 use crate::prepare::task::{Request, Start, Task};
 use crate::prepare::vehicle::coupling::couplings;
@@ -141,6 +141,7 @@ fn remarks<L: Suspension<N>, const N: usize>(
     notes.extend(contradicted_wheels::notes(task, design, names));
     notes.extend(missing_travel::note(task, names));
     notes.extend(of_neither_axle::note(task));
+    notes.extend(unlikely_masses::notes(task, names));
     if request.to != Start::Design {
         notes.extend(short_of_stop(task, request.instants));
     }

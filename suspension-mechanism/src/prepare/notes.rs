@@ -9,6 +9,7 @@ pub(super) mod neither_side;
 mod numbers;
 pub(super) mod of_neither_axle;
 pub(super) mod one_sided_masses;
+pub(super) mod unlikely_masses;
 pub(super) mod untwisted_bars;
 mod wheels;
 pub(super) mod wrong_side;

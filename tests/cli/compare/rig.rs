@@ -277,3 +277,26 @@ fn the_exact_name_is_found_before_others_of_the_same_words() {
         }
     }
 }
+
+/// Reports and pages call the wheel centre so, whatever the name of its point.
+#[test]
+fn the_wheel_centre_has_the_name_that_reports_use() {
+    let listing = include_str!("../../../suspension-core/src/linkages/trailing_arm.linkage");
+    let model = format!(
+        "unit = \"m\"\nstatements = '''\n{}\n'''\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3 }}\n",
+        listing.replace("wheel_centre", "hub")
+    );
+    let table = swept(&model, &["--drive", "bump=-0.05:0.06:12"])
+        .replace("hub_x,", "Wheel centre x [m],")
+        .replace("recession_m,", "wheel centre recession [m],");
+    let (_folder, output) = beside(&model, &table, &["--absolute", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = rows(&output);
+    for quantity in ["wheel centre x", "recession"] {
+        let mut of_this = found
+            .iter()
+            .filter(|(names, _)| names.contains(&quantity.to_owned()));
+        let (_, [.., difference]) = of_this.next().expect(quantity);
+        assert!(difference.abs() < 1e-9, "{quantity} {difference}");
+    }
+}

@@ -110,3 +110,40 @@ fn a_buildable_point_in_another_unit_is_noted() {
         assert_eq!(text(&output.stderr), expected);
     }
 }
+
+/// A rack in metres in a file in mm assembles, with a tie rod that ends at the origin.
+#[test]
+fn a_point_in_a_larger_unit_is_noted_beside_the_origin() {
+    let listing = |rack: &str| {
+        format!(
+            "fixed: lower at [0.0, 700.0, 200.0], upper at [-20.0, 660.0, 450.0], rack at {rack}, housing at [-100.0, 280.0, 180.0];\n\
+             free: tie_ball at [-120.0, 640.0, 300.0], nose at [200.0, 680.0, 310.0];\nhinge knuckle: lower, upper -> tie_ball, nose;\n\
+             link tie_rod: rack -> tie_ball;\ndrive steer: rack.y;\nmeasure length: length(rack -> housing);\n"
+        )
+    };
+    let folder = folder();
+    for (rack, steer, expected) in [
+        ("[-118.0, 300.0, 290.0]", "300.0", ""),
+        ("[0.2, 0.3, 900.0]", "0.3", ""),
+        ("[0.0, 0.3, 0.29]", "0.3", ""),
+        (
+            "[-0.118, 0.3, 0.29]",
+            "0.3",
+            "`rack` lies 0.4336 mm from the origin: is it in m?\n",
+        ),
+    ] {
+        let file = format!(
+            "unit = \"mm\"\ntime = {{ instants = [0.0] }}\ndrives = {{ steer = {steer} }}\nstatements = '''\n{}'''\n",
+            listing(rack)
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        let notes = text(&output.stderr);
+        assert_eq!(
+            notes.contains("from the origin"),
+            !expected.is_empty(),
+            "{notes}"
+        );
+        assert!(notes.contains(expected), "{notes}");
+    }
+}

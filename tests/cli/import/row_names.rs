@@ -106,6 +106,17 @@ fn short_words_of_cad_exports_and_german_names_are_known() {
             ("prod_inboard", "pushrod IB"),
         ],
         [
+            ("lca_front", "LCA front"),
+            ("lca_outer", "Lower BJ"),
+            ("uca_front", "UCA front"),
+            ("uca_outer", "uprt upper BJ"),
+            ("tierod_inner", "Steering tie rod inboard"),
+            ("tierod_outer", "Steering tie rod uprt"),
+            ("wheel_center", "WC"),
+            ("prod_outboard", "pushrod outboard"),
+            ("prod_inboard", "pushrod inboard"),
+        ],
+        [
             ("lca_front", "Querlenker unten vorne innen"),
             ("lca_outer", "Radführungsgelenk unten"),
             ("uca_front", "Querlenker oben vorne"),

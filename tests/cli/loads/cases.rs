@@ -228,3 +228,38 @@ fn loads_of_a_long_motion_take_bounded_memory() {
         "{report}"
     );
 }
+
+/// The ground never pulls at a tyre: a vertical force at the contact point that points downwards has the sign of other axes.
+#[test]
+fn a_wheel_that_the_ground_pulls_down_is_noted() {
+    let sae = CORNER
+        .replace("unit =", "axes = \"SAE\"\nunit =")
+        .replace("bump = 0.3", "bump = -0.3")
+        .replace("steer = 0.34", "steer = -0.34");
+    for (corner, force, expected) in [
+        (CORNER, "4000.0", ""),
+        (CORNER, "0.0", ""),
+        (
+            CORNER,
+            "-4000.0",
+            "up is positive z in the axes of the file, ISO 8855\n",
+        ),
+        (&*sae, "-4000.0", ""),
+        (
+            &sae,
+            "4000.0",
+            "up is negative z in the axes of the file, SAE\n",
+        ),
+    ] {
+        let folder = folder();
+        let file =
+            format!("{corner}[loads.a]\ncontact = [0.0, 100.0, {force}]\nbump = \"damper\"\n");
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let notes = text(&output.stderr);
+        let begins = "a.toml: the force at `contact` in [loads.a] pulls the wheel down: is the sign of its z right?";
+        assert_eq!(notes.contains(begins), !expected.is_empty(), "{notes}");
+        assert!(notes.contains(expected), "{notes}");
+    }
+}

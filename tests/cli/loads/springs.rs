@@ -201,3 +201,21 @@ fn a_spring_of_both_wheels_is_not_proposed_for_one_wheel() {
     let (_, notes) = run_loads(file, &[]);
     assert_eq!(notes, "");
 }
+
+/// A heave spring between the arms moves with both wheels, if not alike where one of them stands higher.
+#[test]
+fn a_heave_spring_is_not_proposed_for_the_wheel_that_stands_higher() {
+    let file = "unit = \"m\"\nstatements = \"\"\"\nmirror: left -> right;\n\
+                fixed: left_front at [0.3, 0.3, 0.3], left_rear at [-0.3, 0.3, 0.3];\n\
+                free: left_hub at [0.0, 0.7, 0.3], left_end at [0.0, 0.25, 0.45];\n\
+                hinge left_arm: left_front, left_rear -> left_hub, left_end;\n\
+                point left_axle: left_arm at [0.0, 0.6, 0.3];\ndrive left_bump: left_hub.z;\nwheel left: left_axle -> left_hub;\n\
+                measure heave: length(left_end -> right_end);\n\"\"\"\nvehicle = { wheel_radius = 0.3 }\n\
+                time = { instants = [0.0] }\ndrives = { left_bump = 0.3, right_bump = 0.3 }\n\
+                springs.third = { along = \"heave\", rate = 90000.0, load = 2000.0 }\n\
+                loads.a = { left_contact = [0.0, 0.0, 3000.0], right_contact = [0.0, 0.0, 3000.0] }\n";
+    let (_, notes) = run_loads(file, &["--drive", "left_bump=0.03", "--csv", "-"]);
+    let expected = "note: a.toml: the spring `third` does not act in [loads.a], although its measure changes; write acting = [\"third\"] there \
+                    for it to act by its rate\n";
+    assert_eq!(notes, expected);
+}

@@ -112,3 +112,49 @@ fn a_mass_on_one_side_alone_is_noted() {
     );
     assert_eq!(notes_with(&format!("{one}right_wheel_centre = 20.0\n")), "");
 }
+
+/// Masses in grams, inertias in kg mm^2 and centres of mass in millimetres are refused by nobody, and wrong by orders of magnitude.
+#[test]
+fn masses_in_another_unit_are_noted() {
+    let notes_with = |mass: &str, centre: &str, inertia: &str| {
+        let folder = folder();
+        let file = format!(
+            "linkage = \"macpherson\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n[drives]\nbump = 0.31\nsteer = 0.33\n\
+             [masses]\nknuckle = {{ mass = {mass}, centre = {centre}, inertia = {inertia} }}\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        text(&run(folder.path(), &["check", "a.toml"]).stdout).to_owned()
+    };
+    let hub = "[0.0, 0.75, 0.3]";
+    for (mass, centre, inertia, expected) in [
+        ("30.0", hub, "[0.8, 1.2, 0.8]", ""),
+        ("30.0", hub, "[]", ""),
+        ("0.0", hub, "[0.8, 1.2, 0.8]", ""),
+        (
+            "30000.0",
+            hub,
+            "[0.8, 1.2, 0.8]",
+            "the mass of `knuckle` is 30000 kg: is it in grams? Masses are in kg",
+        ),
+        (
+            "30.0",
+            hub,
+            "[0.8e6, 1.2e6, 0.8e6]",
+            "the inertia of `knuckle` is that of a mass 216 m from its centre: is it in kg mm^2? Inertias are in kg m^2",
+        ),
+        (
+            "30.0",
+            "[0.0, 750.0, 300.0]",
+            "[0.8, 1.2, 0.8]",
+            "are its coordinates in the unit and the axes of the file?",
+        ),
+    ] {
+        let report = notes_with(mass, centre, inertia);
+        assert!(report.contains(expected), "{expected}: {report}");
+        assert_eq!(
+            report.contains("of `knuckle` is"),
+            !expected.is_empty(),
+            "{report}"
+        );
+    }
+}

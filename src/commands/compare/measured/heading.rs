@@ -11,7 +11,7 @@ use crate::characteristics::{
 use crate::file::Dimension;
 use crate::measured_table::units::{name_and_symbol, usual_symbol};
 use crate::mechanism::{Angle, Description, GridAxis, Length, Unit};
-use crate::quantities::{Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
+use crate::quantities::{CENTRE, Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL, columns};
 
 /// What a heading states.
 pub(super) struct Stated {
@@ -123,14 +123,22 @@ impl Named {
             let mut columns = known.iter();
             exact.or_else(|| columns.position(|column| Title::is_called(column, wheels, name)))
         };
-        match position(name).or_else(|| position(&in_own_words)) {
-            Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
+        let found = position(name).or_else(|| position(&in_own_words));
+        let found = found.map(|found| known.swap_remove(found));
+        match found.or_else(|| wheel_centre(mechanism, name)) {
+            Some(found) => Ok(Some(Self::new(mechanism, found))),
             None => unsteered(mechanism, &as_in_tables(name))
                 .or_else(|| unsteered(mechanism, &in_own_words))
                 .or_else(|| meant(mechanism, &known, name, &in_own_words))
                 .map_or(Ok(None), Err),
         }
     }
+}
+
+/// Finds a coordinate of a wheel centre as reports and pages call it, whatever the name of its point.
+fn wheel_centre(mechanism: &Description, name: &str) -> Option<Column> {
+    let mut centres = columns([&CENTRE], &mechanism.names).into_iter();
+    centres.find(|column| Title::is_called(column, &mechanism.names.wheels, name))
 }
 
 /// Says what a model lacks whose steering wheel a table turns; without it the model would stay straight ahead.

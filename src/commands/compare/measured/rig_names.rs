@@ -4,7 +4,7 @@ use crate::mechanism::{Axle, Description, Wheel};
 use crate::vehicle_corner::Section;
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
-const OF_RIGS: [(&[&str], &[&str]); 39] = [
+const OF_RIGS: [(&[&str], &[&str]); 40] = [
     (&["wheel", "centre", "vertical", "travel"], WHEEL_TRAVEL),
     (&["wheel", "vertical", "travel"], WHEEL_TRAVEL),
     (&["vertical", "travel"], WHEEL_TRAVEL),
@@ -23,6 +23,7 @@ const OF_RIGS: [(&[&str], &[&str]); 39] = [
     (&["castor", "angle"], &["caster"]),
     (&["castor"], &["caster"]),
     (&["caster", "trail"], &["mechanical", "trail"]),
+    (&["wheel", "centre", "recession"], &["recession"]),
     (&["wheel", "recession"], &["recession"]),
     (&["track", "width"], &["track"]),
     (&["lenkradwinkel"], STEERING_WHEEL),

@@ -1,5 +1,5 @@
-//! A point that lies far from all others: one of its coordinates is probably in another unit, or its decimal point has
-//! slipped.
+//! A point that lies far from all others, or beside the origin: its coordinates are probably in another unit, or a decimal point
+//! has slipped.
 
 use std::ops::Range;
 
@@ -28,6 +28,13 @@ const HALFWAY: f64 = 1e-6;
 /// The distance of a point from the others once its unit is corrected, as a multiple of the extent of the others.
 const IN_UNIT: f64 = 1.5;
 
+/// The distance from the origin below which a point may be in a larger unit, as a fraction of the extent of the others.
+const AT_ORIGIN: f64 = 0.01;
+
+/// The distance from the nearest other point above which such a point is alone there, as the same fraction: an origin at the wheel
+/// centre has others beside it.
+const ALONE: f64 = 0.1;
+
 /// The smallest number of other points: fewer tell too little of a mechanism's size.
 const FEWEST: usize = 3;
 
@@ -53,10 +60,11 @@ impl Outlier {
         let mut points = points.into_iter().enumerate();
         points.find_map(|(index, (name, place))| {
             let surroundings = Surroundings::new(&places, index)?;
-            surroundings.is_far().then(|| Self {
-                place,
-                in_words: surroundings.in_words(name, task.file.length),
-            })
+            let unit = task.file.length;
+            let far = surroundings.is_far();
+            let far = far.then(|| surroundings.in_words(name, unit));
+            let in_words = far.or_else(|| surroundings.in_larger_unit(name, unit))?;
+            Some(Self { place, in_words })
         })
     }
 
@@ -120,15 +128,38 @@ impl Surroundings {
         times > FAR || (times > FAR_BY_ONE_DIGIT && self.slipped().is_some())
     }
 
+    /// Describes a point beside the origin, with no other near it, that would be among the others if its coordinates were in a
+    /// larger unit.
+    fn in_larger_unit(&self, name: &str, unit: Length) -> Option<String> {
+        let off = self.at.norm();
+        let is_at_origin = self.at.amin() > 0.0 && off < AT_ORIGIN * self.apart;
+        if !is_at_origin || self.away < ALONE * self.apart {
+            return None;
+        }
+        let is_among = |other: &Length| {
+            let at = self.at * (unit.metre() / other.metre());
+            (0..3).all(|axis| self.is_among(axis, at[axis]))
+        };
+        let larger = Length::ALL.into_iter();
+        let larger = larger.filter(|other| other.metre() < unit.metre());
+        let other = larger.filter(is_among).map(Length::in_words).next()?;
+        let (off, unit) = (rounded(off, 4), unit.symbol());
+        Some(format!(
+            "`{name}` lies {off} {unit} from the origin: is it in {other}?"
+        ))
+    }
+
+    /// Whether a coordinate lies among those of the others, or beside them.
+    fn is_among(&self, axis: usize, value: f64) -> bool {
+        let room = BESIDE * self.apart;
+        (self.low[axis] - room..=self.high[axis] + room).contains(&value)
+    }
+
     /// The axis of the only coordinate that is not among the others', if a tenth of it is.
     fn slipped(&self) -> Option<usize> {
-        let room = BESIDE * self.apart;
-        let is_among = |axis: usize, value: f64| {
-            (self.low[axis] - room..=self.high[axis] + room).contains(&value)
-        };
-        let mut off = (0..3).filter(|&axis| !is_among(axis, self.at[axis]));
+        let mut off = (0..3).filter(|&axis| !self.is_among(axis, self.at[axis]));
         let (axis, others) = (off.next()?, off.next());
-        (others.is_none() && is_among(axis, self.at[axis] / 10.0)).then_some(axis)
+        (others.is_none() && self.is_among(axis, self.at[axis] / 10.0)).then_some(axis)
     }
 
     fn in_words(&self, name: &str, unit: Length) -> String {

@@ -21,7 +21,8 @@ pub(in crate::prepare) fn doubts<L: Suspension<N>, const N: usize>(
     laws: &DriveLaws,
     instants: &Instants,
 ) -> Vec<String> {
-    let looks = evenly_spaced(instants.ends(), LOOKS).into_iter();
+    let [first, last] = instants.ends();
+    let looks = evenly_spaced([first, last], LOOKS).into_iter();
     let values = looks.map(|t| design.drives_in_file(&laws.inputs::<L::Drives>(t).drives.value));
     let values: Vec<Vec<f64>> = values.collect();
     let designed = design.drives_in_file(&design.drives);
@@ -45,6 +46,7 @@ pub(in crate::prepare) fn doubts<L: Suspension<N>, const N: usize>(
             design,
             size,
             unit,
+            seconds: (last - first).abs(),
         };
         at_design.doubt(ends, CountedFrom::Zero, &way)
     });
