@@ -72,7 +72,7 @@ impl MotionFile {
     /// [`Failure::Input`] with the places of all mistakes.
     pub fn parse(source: &Source) -> Result<Self, Failure> {
         let file: Self = toml::from_str(source.text())
-            .map_err(|_| source.refuse_all(mistakes::<Self>(source)))?;
+            .map_err(|_| source.refuse_all(&mistakes::<Self>(source), Clone::clone))?;
         let tune = file.tune.iter().map(Spanned::get_ref);
         let drives = file.drives.get_ref().values();
         let recorded = drives.filter_map(|law| law.get_ref().recording());

@@ -166,17 +166,18 @@ impl Source {
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
-    /// Returns one failure for several mistakes, at most a hundred: each with its place and the message.
-    pub fn refuse_all(
+    /// Returns one failure for several mistakes, at most a hundred of which are `told`: the place and the message.
+    pub fn refuse_all<M>(
         &self,
-        mistakes: impl IntoIterator<Item = (Range<usize>, impl fmt::Display)>,
+        mistakes: &[M],
+        told: impl Fn(&M) -> (Range<usize>, String),
     ) -> Failure {
-        let mut mistakes = mistakes.into_iter();
-        let first = mistakes.by_ref().take(MOST_MISTAKES);
-        let first = first
-            .map(|(span, message)| self.message(&span, &fit_for_terminal(&message.to_string())));
+        let first = mistakes.iter().take(MOST_MISTAKES).map(|mistake| {
+            let (span, message) = told(mistake);
+            self.message(&span, &fit_for_terminal(&message))
+        });
         let mut messages: Vec<String> = first.collect();
-        match mistakes.count() {
+        match mistakes.len() - messages.len() {
             0 => {}
             more => {
                 let more = counted(more, "more mistake");
@@ -234,8 +235,8 @@ mod tests {
             (150, "\na.toml: and 50 more mistakes"),
             (101, "\na.toml: and 1 more mistake"),
         ] {
-            let mistakes = [(0..1, "wrong")].into_iter().cycle();
-            let message = source.refuse_all(mistakes.take(count)).to_string();
+            let told = |message: &&str| (0..1, (*message).to_owned());
+            let message = source.refuse_all(&vec!["wrong"; count], told).to_string();
             assert_eq!(message.lines().count(), 101);
             assert!(message.ends_with(end), "{message}");
         }

@@ -225,10 +225,10 @@ fn parse_statements(
 
 /// All mistakes in a text.
 pub(super) fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
-    source.refuse_all(mistakes.mistakes.iter().map(|mistake| {
+    source.refuse_all(&mistakes.mistakes, |mistake| {
         let place = source.span(mistake.line, mistake.column, mistake.length);
-        (place, &mistake.message)
-    }))
+        (place, mistake.message.clone())
+    })
 }
 
 /// Adds to the file the points that only the listing states (those of the catalogue turned to the file's axes), and

@@ -12,21 +12,25 @@ use crate::failure::MOST_MISTAKES;
 /// The name of an entry after the names of the tables that it is in; empty for the whole text.
 type Path = Vec<String>;
 
-/// Returns the errors of a text that is no `T`, in their order in the text; of those in one line the first, from which the others
-/// may follow.
+/// Returns the errors of a text that is no `T`, at most [`MOST_MISTAKES`], in their order in the text; of those in one line the
+/// first, from which the others may follow.
 pub(super) fn all<T: DeserializeOwned>(text: &str) -> Vec<Error> {
     let (table, mut errors) = DeTable::parse_recoverable(text);
     let is_table = errors.is_empty();
     if is_table {
         errors = in_entries::<T>(table);
     }
-    let start = |error: &Error| error.span().map_or(0, |span| span.start);
-    let line = |error: &Error| text[..start(error)].matches('\n').count();
+    let line_ends: Vec<usize> = text.match_indices('\n').map(|(end, _)| end).collect();
+    let line = |error: &Error| {
+        let start = error.span().map_or(0, |span| span.start);
+        line_ends.partition_point(|end| *end < start)
+    };
     errors.sort_by_key(line);
     errors.dedup_by_key(|error| line(error));
     if let Some(open) = errors.iter().position(leaves_open).filter(|_| !is_table) {
         errors.truncate(open + 1);
     }
+    errors.truncate(MOST_MISTAKES);
     errors
 }
 

@@ -64,9 +64,9 @@ impl Reader<'_> {
             field: self.weight(),
             borne_by: Vec::new(),
         };
-        let acting = |(name, _): &(&Spanned<String>, _)| name.get_ref() != ACTING;
-        let loads_alone = loads.0.iter().filter(acting);
-        Failure::all(loads_alone.map(|(place, load)| self.add(&mut case, place, load)))?;
+        let is_load = |(name, _): &(&Spanned<String>, _)| name.get_ref() != ACTING;
+        let each = loads.0.iter().filter(is_load);
+        Failure::all(each.map(|(place, load)| self.add(&mut case, place, load)))?;
         case.acting = self.acting(&case, loads)?;
         Ok(case)
     }
