@@ -3,6 +3,7 @@
 mod all;
 mod syntax;
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use serde::de::DeserializeOwned;
@@ -12,7 +13,7 @@ use crate::other_names::key_meant;
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
-/// Returns the places and messages of all mistakes in a file that is no `T`.
+/// Returns the places and messages of all mistakes in a file that is no `T`; a list of known keys or words is told once.
 pub(super) fn mistakes<T: DeserializeOwned>(source: &Source) -> Vec<(Range<usize>, String)> {
     let errors = all::all::<T>(source.text()).into_iter();
     let mut errors = errors.map(|error| (error.span().unwrap_or(0..0), error));
@@ -20,9 +21,13 @@ pub(super) fn mistakes<T: DeserializeOwned>(source: &Source) -> Vec<(Range<usize
         let first = errors.next().map(|(span, _)| (span, message));
         return first.into_iter().collect();
     }
+    let mut told = HashSet::new();
     let each = errors.map(|(span, error)| {
         let message = explained(error.message(), source, span.start);
-        (span, message)
+        match message.split_once(", expected one of") {
+            Some((mistake, known)) if !told.insert(known.to_owned()) => (span, mistake.to_owned()),
+            _ => (span, message),
+        }
     });
     each.collect()
 }
