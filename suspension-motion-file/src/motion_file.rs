@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::inputs;
-use crate::parse_errors::mistakes;
+use crate::parse_errors::refused;
 use crate::source::Source;
 use crate::tables::entries::{Entries, Table};
 use crate::tables::loads::LoadCase;
@@ -71,8 +71,7 @@ impl MotionFile {
     ///
     /// [`Failure::Input`] with the places of all mistakes.
     pub fn parse(source: &Source) -> Result<Self, Failure> {
-        let file: Self = toml::from_str(source.text())
-            .map_err(|_| source.refuse_all(&mistakes::<Self>(source), Clone::clone))?;
+        let file: Self = toml::from_str(source.text()).map_err(|_| refused::<Self>(source))?;
         let tune = file.tune.iter().map(Spanned::get_ref);
         let drives = file.drives.get_ref().values();
         let recorded = drives.filter_map(|law| law.get_ref().recording());

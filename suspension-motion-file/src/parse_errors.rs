@@ -3,28 +3,33 @@
 mod all;
 mod syntax;
 
-use std::ops::Range;
+use std::collections::HashSet;
 
 use serde::de::DeserializeOwned;
 use suspension_listing::did_you_mean::did_you_mean;
+use toml::de::Error;
 
+use crate::failure::Failure;
 use crate::other_names::key_meant;
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
-/// Returns the places and messages of all mistakes in a file that is no `T`.
-pub(super) fn mistakes<T: DeserializeOwned>(source: &Source) -> Vec<(Range<usize>, String)> {
-    let errors = all::all::<T>(source.text()).into_iter();
-    let mut errors = errors.map(|error| (error.span().unwrap_or(0..0), error));
+/// Returns the failure for a file that is no `T`, with all mistakes; a list of known keys or words is told once.
+pub(super) fn refused<T: DeserializeOwned>(source: &Source) -> Failure {
+    let errors = all::all::<T>(source.text());
+    let place = |error: &Error| error.span().unwrap_or(0..0);
     if let Some(message) = other_kind(source) {
-        let first = errors.next().map(|(span, _)| (span, message));
-        return first.into_iter().collect();
+        return source.refuse(&errors.first().map_or(0..0, place), message);
     }
-    let each = errors.map(|(span, error)| {
-        let message = explained(error.message(), source, span.start);
-        (span, message)
-    });
-    each.collect()
+    let mut told = HashSet::new();
+    source.refuse_all(&errors, |error| {
+        let place = place(error);
+        let message = explained(error.message(), source, place.start);
+        match message.split_once(", expected one of") {
+            Some((mistake, known)) if !told.insert(known.to_owned()) => (place, mistake.to_owned()),
+            _ => (place, message),
+        }
+    })
 }
 
 /// Returns the message for a mistake that begins at `start`.

@@ -170,7 +170,7 @@ impl Source {
     pub fn refuse_all<M>(
         &self,
         mistakes: &[M],
-        told: impl Fn(&M) -> (Range<usize>, String),
+        mut told: impl FnMut(&M) -> (Range<usize>, String),
     ) -> Failure {
         let first = mistakes.iter().take(MOST_MISTAKES).map(|mistake| {
             let (span, message) = told(mistake);

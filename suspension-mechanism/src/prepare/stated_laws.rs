@@ -34,7 +34,7 @@ impl Task<'_> {
                 None => Ok(Law::Polynomial(vec![held])),
             },
         );
-        Ok(DriveLaws::new(laws.collect::<Result<Vec<_>, _>>()?))
+        Failure::all(laws).map(DriveLaws::new)
     }
 
     /// A drive or a measure over time in local coordinates, which differ by `offset` from those of the file.

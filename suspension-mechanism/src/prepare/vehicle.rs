@@ -44,20 +44,22 @@ pub(super) fn names_with_vehicle(
         [] => &mut unnamed,
         wheels => wheels,
     };
-    drives(task, wheels, (TRAVEL, &stated.travel), |wheel| {
-        &mut wheel.travel
-    })?;
-    drives(task, wheels, (STEER, &stated.steer), |wheel| {
-        &mut wheel.steer
-    })?;
-    let lengths = for_each_wheel(task, wheels, &stated.wheel_radius)?;
-    for (wheel, radius) in wheels.iter_mut().zip(lengths) {
-        wheel.radius = length(task, "wheel_radius", radius.as_ref())?;
-    }
-    let wheelbase = length(task, "wheelbase", stated.wheelbase.as_ref())?;
-    let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
-    car(task, wheels, table)?;
-    torques(task, wheels, stated)?;
+    let of_wheels = [
+        drives(task, wheels, (TRAVEL, &stated.travel), |wheel| {
+            &mut wheel.travel
+        }),
+        drives(task, wheels, (STEER, &stated.steer), |wheel| {
+            &mut wheel.steer
+        }),
+        radii(task, wheels, &stated.wheel_radius),
+        car(task, wheels, table),
+        torques(task, wheels, stated),
+    ];
+    let lengths = Failure::both(
+        length(task, "wheelbase", stated.wheelbase.as_ref()),
+        length(task, "cg_height", stated.cg_height.as_ref()),
+    );
+    let (_, (wheelbase, cg_height)) = Failure::both(Failure::all(of_wheels), lengths)?;
     let each = |drive: fn(&Wheel) -> Option<usize>| distinct(wheels.iter().filter_map(drive));
     names.vehicle = Vehicle {
         travel: each(|wheel| wheel.travel),
@@ -102,6 +104,19 @@ fn drives(
                 Some(drive)
             }
         };
+    }
+    Ok(())
+}
+
+/// Sets the radius of each wheel.
+fn radii(
+    task: &Task<'_>,
+    wheels: &mut [Wheel],
+    stated: &Option<Spanned<PerWheel<f64>>>,
+) -> Result<(), Failure> {
+    let radii = for_each_wheel(task, wheels, stated)?;
+    for (wheel, radius) in wheels.iter_mut().zip(radii) {
+        wheel.radius = length(task, "wheel_radius", radius.as_ref())?;
     }
     Ok(())
 }

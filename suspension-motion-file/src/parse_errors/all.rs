@@ -1,6 +1,8 @@
 //! All errors in a text at once. The parser of TOML reports each mistake in the notation; of those in keys and values serde
 //! reports the first, so that the entry with it is left out and the rest is read again.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use serde::de::DeserializeOwned;
@@ -12,26 +14,50 @@ use crate::failure::MOST_MISTAKES;
 /// The name of an entry after the names of the tables that it is in; empty for the whole text.
 type Path = Vec<String>;
 
-/// Returns the errors of a text that is no `T`, at most [`MOST_MISTAKES`], in their order in the text; of those in one line the
-/// first, from which the others may follow.
+/// Returns the errors of a text that is no `T`, in their order in the text.
 pub(super) fn all<T: DeserializeOwned>(text: &str) -> Vec<Error> {
-    let (table, mut errors) = DeTable::parse_recoverable(text);
-    let is_table = errors.is_empty();
-    if is_table {
-        errors = in_entries::<T>(table);
+    let (table, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        return in_notation(text, errors);
     }
+    let mut errors = in_entries::<T>(table);
+    errors.sort_by_key(start);
+    // Several unknown fields in one line are one other notation, as { x = 0.1, y = 0.2, z = 0.3 }.
+    let is_unknown = |error: &Error| error.message().starts_with("unknown field");
+    errors.dedup_by(|next, first| {
+        let are_unknown = is_unknown(first) && is_unknown(next);
+        are_unknown && !text[start(first)..start(next)].contains('\n')
+    });
+    errors
+}
+
+fn start(error: &Error) -> usize {
+    error.span().map_or(0, |span| span.start)
+}
+
+/// Of the errors in one line the first, from which the others may follow.
+fn in_notation(text: &str, mut errors: Vec<Error>) -> Vec<Error> {
     let line_ends: Vec<usize> = text.match_indices('\n').map(|(end, _)| end).collect();
-    let line = |error: &Error| {
-        let start = error.span().map_or(0, |span| span.start);
-        line_ends.partition_point(|end| *end < start)
-    };
+    let line = |error: &Error| line_ends.partition_point(|end| *end < start(error));
+    let lacks_equals = |error: &&Error| error.message().starts_with("key with no value");
+    let lines = errors.iter().filter(lacks_equals).map(line).collect();
+    errors.extend(DeTable::parse_recoverable(&without(&lines, text)).1);
     errors.sort_by_key(line);
     errors.dedup_by_key(|error| line(error));
-    if let Some(open) = errors.iter().position(leaves_open).filter(|_| !is_table) {
+    if let Some(open) = errors.iter().position(leaves_open) {
         errors.truncate(open + 1);
     }
-    errors.truncate(MOST_MISTAKES);
     errors
+}
+
+/// The text with blanks in place of lines without `=`, behind the first of which the parser reads no values.
+fn without(lines: &BTreeSet<usize>, text: &str) -> String {
+    let all = text.split_inclusive('\n').enumerate();
+    let kept = all.map(|(number, line)| match lines.contains(&number) {
+        true => Cow::from(" ".repeat(line.len() - 1) + "\n"),
+        false => Cow::from(line),
+    });
+    kept.collect()
 }
 
 /// Whether the parser may have read what follows as part of an earlier value.

@@ -47,16 +47,25 @@ fn hint(message: &str, text: &str, start: usize) -> Option<String> {
         return Some(format!("; `{name}` is stated twice: leave one of them"));
     }
     let is_surplus = message.starts_with("unexpected key or value");
+    let line = rest.split(['\n', '#']).next()?;
     let hint = if is_comma_between_digits(text, start) {
         "; a decimal separator is a point, as in 0.5"
-    } else if is_surplus && rest.starts_with(',') {
-        LIST
     } else if is_surplus && rest.starts_with(';') {
         NO_SEMICOLON
     } else if is_surplus && rest.starts_with('/') {
         COMMENT
+    } else if is_surplus && line.contains('=') {
+        "; each NAME = value stands in a line of its own"
+    } else if is_surplus && line.trim_end() == "," {
+        "; a line ends without `,`"
+    } else if is_surplus && rest.starts_with(',') {
+        LIST
+    } else if is_surplus && rest.starts_with(']') {
+        "; there is a `]` too many"
     } else if message.contains("unicode") || message.contains("escape") {
         "; in double quotes `\\` begins an escape: write `/` in a path, or single quotes"
+    } else if message.starts_with("missing comma between key-value pairs") {
+        "; or the table before it lacks its `}`"
     } else if message.starts_with("missing comma") {
         "; or the list before it lacks its `]`"
     } else {
@@ -116,6 +125,8 @@ fn mistaken_number(value: &str) -> Option<String> {
         COMMENT.to_owned()
     } else if number != value && is_number(number) {
         format!("; write {number} without the unit")
+    } else if value.ends_with('%') {
+        "; write the fraction, as 0.6 for 60 %".to_owned()
     } else if is_number(value) {
         "; a digit stands on both sides of the point, as in 0.3".to_owned()
     } else if value.contains(['/', '*', '+', '^', '(']) {

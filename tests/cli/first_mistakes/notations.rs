@@ -193,6 +193,36 @@ fn a_line_in_another_notation_is_refused_with_what_to_write() {
             "2:11: unexpected key or value, expected newline, `#`; a line ends without `;`",
         ),
         (
+            "unit = \"m\"",
+            "unit = \"m\" // 1 = 1000 mm",
+            "2:12: unexpected key or value, expected newline, `#`; a comment begins with #",
+        ),
+        (
+            "steer = 0.34",
+            "steer = 0.34, # as in a list",
+            "7:13: unexpected key or value, expected newline, `#`; a line ends without `,`",
+        ),
+        (
+            "bump = 0.3\n",
+            "bump = 0.3, ",
+            "6:11: unexpected key or value, expected newline, `#`; each NAME = value stands in a line of its own",
+        ),
+        (
+            "[drives]",
+            "[drives]]",
+            "5:9: unexpected key or value, expected newline, `#`; there is a `]` too many",
+        ),
+        (
+            "{ instants = [0.0] }",
+            "{ instants = [0.0] start = 0.0 }",
+            "4:27: missing comma between key-value pairs, expected `,`; or the table before it lacks its `}`",
+        ),
+        (
+            "{ wheel_radius = 0.3 }",
+            "{ brake_share = 60 % }",
+            "3:27: `60 %` is no number; write the fraction, as 0.6 for 60 %",
+        ),
+        (
             "steer = 0.34",
             "steer = 0.34\nsteer = 0.3",
             "8:1: duplicate key; `steer` is stated twice: leave one of them",
