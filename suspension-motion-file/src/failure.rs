@@ -18,7 +18,7 @@ pub enum Failure {
     ReaderGone,
 }
 
-/// The most mistakes of a motion file that are told at once.
+/// The most mistakes that are told at once.
 pub(crate) const MOST_MISTAKES: usize = 20;
 
 impl Failure {

@@ -206,6 +206,10 @@ fn other_kind(source: &Source) -> Option<String> {
         let empty = "the file is empty; suspension motion --help shows what a motion file contains";
         return Some(empty.to_owned());
     }
+    if source.text().trim_start().starts_with('{') {
+        let json = "this is JSON; a motion file is in TOML, as suspension motion --help shows";
+        return Some(json.to_owned());
+    }
     let is_listing = is_listing(source.text());
     let name = source.name();
     let endings = [".csv", ".sub", ".shk", ".txt"];

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, MOST_MISTAKES};
 use crate::inputs;
 use crate::interrupt;
 use crate::number::counted;
@@ -27,9 +27,6 @@ const LARGEST: usize = 4 << 20;
 
 /// That of tables of measurements: ten minutes of a dozen channels at 1 kHz are 60 MB.
 const LARGEST_TABLE: usize = 64 << 20;
-
-/// The most mistakes of a file that are reported at once.
-const MOST_MISTAKES: usize = 100;
 
 /// An input file: its name as the user gave it, and its text.
 #[derive(Clone, Debug)]
@@ -166,7 +163,7 @@ impl Source {
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
-    /// Returns one failure for several mistakes, at most a hundred of which are `told`: the place and the message.
+    /// Returns one failure for several mistakes, at most twenty of which are `told`: the place and the message.
     pub fn refuse_all<M>(
         &self,
         mistakes: &[M],
@@ -229,15 +226,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_first_100_mistakes_are_printed() {
+    fn the_first_20_mistakes_are_printed() {
         let source = Source::new("a.toml", "x = 1\n");
         for (count, end) in [
-            (150, "\na.toml: and 50 more mistakes"),
-            (101, "\na.toml: and 1 more mistake"),
+            (150, "\na.toml: and 130 more mistakes"),
+            (21, "\na.toml: and 1 more mistake"),
         ] {
             let told = |message: &&str| (0..1, (*message).to_owned());
             let message = source.refuse_all(&vec!["wrong"; count], told).to_string();
-            assert_eq!(message.lines().count(), 101);
+            assert_eq!(message.lines().count(), 21);
             assert!(message.ends_with(end), "{message}");
         }
     }
