@@ -18,11 +18,12 @@ pub enum Failure {
     ReaderGone,
 }
 
-/// The most mistakes that are told at once.
+/// The most mistakes that are reported at once.
 pub(crate) const MOST_MISTAKES: usize = 20;
 
 impl Failure {
-    /// Returns all values, or the mistakes of all wrong inputs, at most twenty, in one failure. Another failure comes before them.
+    /// Returns all values, or one failure with the mistakes of all wrong inputs, at most twenty; a failure of another kind is returned
+    /// alone.
     ///
     /// # Errors
     ///

@@ -14,19 +14,22 @@ use crate::other_names::key_meant;
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
-/// Returns the failure for a file that is no `T`, with all mistakes; a list of known keys or words is told once.
+/// Returns the failure for a file that cannot be read as a `T`, with all its mistakes. A list of the known keys or words is in the first
+/// message to which it belongs, and not repeated.
 pub(super) fn refused<T: DeserializeOwned>(source: &Source) -> Failure {
     let errors = all::all::<T>(source.text());
     let place = |error: &Error| error.span().unwrap_or(0..0);
     if let Some(message) = other_kind(source) {
         return source.refuse(&errors.first().map_or(0..0, place), message);
     }
-    let mut told = HashSet::new();
+    let mut listed = HashSet::new();
     source.refuse_all(&errors, |error| {
         let place = place(error);
         let message = explained(error.message(), source, place.start);
         match message.split_once(", expected one of") {
-            Some((mistake, known)) if !told.insert(known.to_owned()) => (place, mistake.to_owned()),
+            Some((mistake, known)) if !listed.insert(known.to_owned()) => {
+                (place, mistake.to_owned())
+            }
             _ => (place, message),
         }
     })

@@ -163,14 +163,15 @@ impl Source {
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
-    /// Returns one failure for several mistakes, at most twenty of which are `told`: the place and the message.
+    /// Returns one failure for several mistakes, of which at most twenty are reported. `described` returns the place and the message
+    /// of one.
     pub fn refuse_all<M>(
         &self,
         mistakes: &[M],
-        mut told: impl FnMut(&M) -> (Range<usize>, String),
+        mut described: impl FnMut(&M) -> (Range<usize>, String),
     ) -> Failure {
         let first = mistakes.iter().take(MOST_MISTAKES).map(|mistake| {
-            let (span, message) = told(mistake);
+            let (span, message) = described(mistake);
             self.message(&span, &fit_for_terminal(&message))
         });
         let mut messages: Vec<String> = first.collect();
@@ -232,8 +233,10 @@ mod tests {
             (150, "\na.toml: and 130 more mistakes"),
             (21, "\na.toml: and 1 more mistake"),
         ] {
-            let told = |message: &&str| (0..1, (*message).to_owned());
-            let message = source.refuse_all(&vec!["wrong"; count], told).to_string();
+            let described = |message: &&str| (0..1, (*message).to_owned());
+            let message = source
+                .refuse_all(&vec!["wrong"; count], described)
+                .to_string();
             assert_eq!(message.lines().count(), 21);
             assert!(message.ends_with(end), "{message}");
         }

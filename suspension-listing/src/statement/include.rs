@@ -41,7 +41,7 @@ pub(super) const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "an
 
 /// A name of the catalogue, or a file's path in quotes.
 fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<Source> {
-    if input.cursor().literal().is_none() {
+    if !operands::is_literal(input) {
         let linkage = operands::name(input)?;
         if input.peek(Token![.]) || input.peek(Token![/]) {
             let message =

@@ -1,4 +1,5 @@
-//! The common syntax of statements: names, brackets, doc comments.
+//! The common syntax of statements: names, brackets, doc comments. What comes next is looked at and not parsed on trial: the first
+//! error of `syn` in a thread allocates what the main thread never frees, and a good listing makes none.
 
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
@@ -41,13 +42,17 @@ pub(crate) fn docs(input: ParseStream<'_>) -> syn::Result<Vec<String>> {
 pub(crate) fn first_word(input: ParseStream<'_>) -> Option<Ident> {
     let ahead = input.fork();
     ahead.call(Attribute::parse_outer).ok()?;
-    // The first error of `syn` in a thread allocates, and the main thread never frees that: a good listing makes none.
     if !ahead.peek(Ident) {
         return None;
     }
     let word = ahead.parse().ok()?;
     let begins = ahead.peek(Token![:]) || ahead.peek(Ident) && ahead.peek2(Token![:]);
     begins.then_some(word)
+}
+
+/// Whether a literal comes next.
+pub(crate) fn is_literal(input: ParseStream<'_>) -> bool {
+    input.cursor().literal().is_some()
 }
 
 /// The lines of doc comments.

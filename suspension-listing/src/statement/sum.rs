@@ -3,7 +3,7 @@
 use syn::parse::{Parse, ParseStream};
 use syn::{Error, Ident, Token};
 
-use super::operands::name;
+use super::operands::{is_literal, name};
 use super::points::number;
 use crate::errors;
 use crate::form;
@@ -43,7 +43,7 @@ impl Parse for Sum {
 
 /// `p.z`, `0.5 p.z` or `0.5 * p.z`.
 fn term(sign: f64, input: ParseStream<'_>) -> syn::Result<Term> {
-    let factor = if input.cursor().literal().is_some() || input.peek(Token![-]) {
+    let factor = if is_literal(input) || input.peek(Token![-]) {
         let (span, factor) = (input.span(), number(input)?);
         if factor == 0.0 {
             return Err(Error::new(span, "the factor is zero; remove the term"));

@@ -14,7 +14,7 @@ use crate::failure::MOST_MISTAKES;
 /// The name of an entry after the names of the tables that it is in; empty for the whole text.
 type Path = Vec<String>;
 
-/// Returns the errors of a text that is no `T`, in their order in the text.
+/// Returns the errors of a text that cannot be read as a `T`, in their order in the text.
 pub(super) fn all<T: DeserializeOwned>(text: &str) -> Vec<Error> {
     let (table, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {

@@ -1,4 +1,4 @@
-//! Several mistakes of one file: all are told in one run, each in one line; those in notation, keys and values in the order of the file.
+//! Several mistakes of one file: all are reported in one run, each in one line; those in notation, keys and values in the order of the file.
 
 use super::refusal;
 use crate::program::CORNER;
@@ -14,7 +14,7 @@ fn refused(file: &str) -> Vec<String> {
 }
 
 #[test]
-fn mistakes_in_the_notation_are_told_together() {
+fn mistakes_in_the_notation_are_reported_together() {
     let file = "linkage = \"double_wishbone\"\nunit = \"m\"\n[time]\nstart = 0,0\nstop = 1.0s\nstep = 0.1\n[drives]\nsteer = .34\nbump: 0.3\n";
     assert_eq!(
         refused(file),
@@ -28,7 +28,7 @@ fn mistakes_in_the_notation_are_told_together() {
 }
 
 #[test]
-fn mistakes_behind_a_line_without_an_equals_sign_are_told_too() {
+fn mistakes_behind_a_line_without_an_equals_sign_are_reported_too() {
     let file =
         "linkage: \"double_wishbone\"\nunit = m\n[time]\nfirst instant\nstep = .1\nstep = 0.1\n";
     assert_eq!(
@@ -56,7 +56,7 @@ fn a_long_file_with_a_mistake_in_each_line_is_refused_at_once() {
 
 /// The lines behind it are read as parts of the list.
 #[test]
-fn only_the_first_mistake_behind_an_open_bracket_is_told() {
+fn only_the_first_mistake_behind_an_open_bracket_is_reported() {
     let file = CORNER.replace("{ instants = [0.0] }", "{ instants = [0.0");
     assert_eq!(
         refused(&file),
@@ -65,7 +65,7 @@ fn only_the_first_mistake_behind_an_open_bracket_is_told() {
 }
 
 #[test]
-fn mistakes_in_keys_and_values_are_told_together() {
+fn mistakes_in_keys_and_values_are_reported_together() {
     let file = "linkage = \"double_wishbone\"\nunti = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump = \"a\"\nsteer = 0.34\n\
                 [springs.coil]\nalong = 3\n[springs.bar]\nrate = 1e4\n";
     assert_eq!(
@@ -82,7 +82,7 @@ fn mistakes_in_keys_and_values_are_told_together() {
 }
 
 #[test]
-fn mistakes_in_values_of_one_line_are_told_together() {
+fn mistakes_in_values_of_one_line_are_reported_together() {
     let file = CORNER.replace(
         "wheel_radius = 0.3",
         "wheel_radius = true, wheelbase = \"b\"",
@@ -97,7 +97,7 @@ fn mistakes_in_values_of_one_line_are_told_together() {
 }
 
 #[test]
-fn a_list_of_known_keys_is_told_once() {
+fn a_list_of_known_keys_is_printed_once() {
     let file = format!("{CORNER}[colours]\nred = 1\n[tyres]\nblack = 1\n");
     let message = refusal("check", &[("a.toml", &file)], &[]);
     let (colours, tyres) = message.split_once('\n').expect("two lines");
@@ -109,7 +109,7 @@ fn a_list_of_known_keys_is_told_once() {
 
 /// `unit` is missing because it is misspelt or in another table, and the rest of a spring with a mistake is not looked at.
 #[test]
-fn what_follows_from_another_mistake_is_not_told() {
+fn what_follows_from_another_mistake_is_not_reported() {
     let file = CORNER.replace("unit", "unti");
     assert_eq!(refused(&file), ["2:1: unknown field `unti`"]);
     let file = "linkage = \"double_wishbone\"\n[time]\nunit = \"m\"\ninstants = [0.0]\n[drives]\nbump = 0.3\nsteer = 0.34\n";
@@ -122,7 +122,7 @@ fn what_follows_from_another_mistake_is_not_told() {
 }
 
 #[test]
-fn mistakes_in_names_and_numbers_are_told_together() {
+fn mistakes_in_names_and_numbers_are_reported_together() {
     let file = "linkage = \"double_wishbone\"\nunit = \"m\"\n[points]\nupper_ball = [nan, 0.66, 0.44]\nrack = [inf, 0.34, 0.20]\n\
                 [time]\ninstants = [0.0, 0.0]\n[drives]\nbumb = 0.3\nstear = 0.34\n[design]\nbump = nan\nsteer = inf\n";
     assert_eq!(
@@ -157,7 +157,7 @@ fn an_unknown_point_does_not_hide_other_mistakes() {
 }
 
 #[test]
-fn mistakes_in_recordings_are_told_together() {
+fn mistakes_in_recordings_are_reported_together() {
     let file = CORNER.replace("0.34", "{ csv = \"b.csv\", columns = [\"t\", \"b\"] }");
     let file = file.replace(
         "bump = 0.3",
@@ -170,7 +170,7 @@ fn mistakes_in_recordings_are_told_together() {
 }
 
 #[test]
-fn mistakes_in_the_vehicle_are_told_together() {
+fn mistakes_in_the_vehicle_are_reported_together() {
     let vehicle = "{ wheel_radius = -0.3, wheelbase = 0, cg_height = -1, travel = \"bumb\", brake_share = 3, axle = \"front\" }";
     let file = CORNER.replace("{ wheel_radius = 0.3 }", vehicle);
     assert_eq!(
@@ -186,7 +186,7 @@ fn mistakes_in_the_vehicle_are_told_together() {
 }
 
 #[test]
-fn mistakes_in_what_single_analyses_state_are_told_together() {
+fn mistakes_in_what_single_analyses_state_are_reported_together() {
     let file = format!(
         "{CORNER}[loads.brake]\nwhel_centre = [0, 0, 1]\nupper_bal = [0, 0, 1]\n[tolerances]\nx = 0.001\nrack = -1\n"
     );
