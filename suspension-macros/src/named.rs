@@ -36,7 +36,7 @@ pub(crate) fn named(input: TokenStream) -> syn::Result<TokenStream> {
             #[inline(always)]
             fn from_values(values: impl IntoIterator<Item = #value>) -> Self {
                 let mut values = values.into_iter();
-                Self { #(#names: values.next().unwrap_or_default(),)* #none }
+                Self::from_fn(|_| values.next().unwrap_or_default())
             }
 
             #[inline(always)]
