@@ -17,13 +17,8 @@ use crate::support;
 /// A listing that is tested in both number types.
 pub(crate) trait Tested:
     Default
-    + Listing<
-        15,
-        Model<f64>: Build<15, Scalar = f64>,
-        Model<f32>: Build<15, Scalar = f32>,
-        Points<f64>: HasWheel<f64>,
-        Points<f32>: HasWheel<f32>,
-    >
+    + Listing<15, Model<f64>: Build<15, Scalar = f64>, Points<f64>: HasWheel<f64>>
+    + Listing<15, Model<f32>: Build<15, Scalar = f32>, Points<f32>: HasWheel<f32>>
 {
     const NAME: &'static str;
 
