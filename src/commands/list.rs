@@ -95,7 +95,8 @@ fn parts(listing: &Listing, kind: Kind, part: fn(usize) -> Part) -> String {
 
 const NOTES: &str = "\
 Each layout comes with hardpoints, in metres. A motion file names the layout, linkage = \"macpherson\", and states the points
-that differ. For other links, copy the statements into a file, change them, and name that file: listing = \"my.linkage\".
+that differ, or all of them if it is in mm or inches. For other links, copy the statements into a file, change them, and
+name that file: listing = \"my.linkage\".
 
 Of a motion file it prints one listing that needs no other file: includes and mirrors are written out, and each point has
 its design position, in the unit of the file. The macro linkage! takes this text in Rust, susp_listing_parse in C.

@@ -271,7 +271,7 @@ susp_status susp_attia2003_f32_attempt(
         susp_f32_report *report);
 
 /** `attempt` with two corrections in place of one, like `bounded_step_twice`: in `double` for a
- * wheel on a road. */
+ * wheel on a smooth road. */
 susp_status susp_attia2003_f32_attempt_twice(
         const susp_attia2003_f32_model *model,
         const susp_attia2003_f32_inputs *inputs,

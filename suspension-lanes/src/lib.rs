@@ -1,4 +1,4 @@
-//! Steps in lanes: four corners of a car, or eight variants, for about the price of one.
+//! Steps in lanes: four corners of a car for about the price of one, or eight variants for one and a half (with AVX-512).
 //!
 //! The code that `linkage!` generates runs on vectors of numbers. [`Lanes`] find out which instructions the processor
 //! has when they are made, so a default build is fast on any processor.

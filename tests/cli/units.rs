@@ -8,8 +8,8 @@ use suspension_runtime::Listing;
 
 use super::program::{Rows, folder, rows, run, text};
 
-/// Returns a sweep of the catalogue's double wishbone, with its hardpoints in a unit of which `metre` is one metre.
-fn swept(unit: &str, metre: f64) -> Rows {
+/// The catalogue's double wishbone as a motion file, with its hardpoints in a unit of which `metre` is one metre.
+fn in_unit(unit: &str, metre: f64) -> String {
     let mut texts = LISTINGS.iter();
     let (_, listing) = texts.find(|(name, _)| *name == "double_wishbone").unwrap();
     let listing = Listing::parse(listing).expect("a listing");
@@ -23,8 +23,13 @@ fn swept(unit: &str, metre: f64) -> Rows {
     }
     let [bump, steer] = [0.30, 0.34].map(|value: f64| value * metre);
     writeln!(file, "[drives]\nbump = {bump:?}\nsteer = {steer:?}").unwrap();
+    file
+}
+
+/// Returns a sweep of it.
+fn swept(unit: &str, metre: f64) -> Rows {
     let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    std::fs::write(folder.path().join("a.toml"), in_unit(unit, metre)).expect("written");
     let travel = format!("bump={:?}:{:?}:7", -0.06 * metre, 0.06 * metre);
     let arguments = ["sweep", "a.toml", "--drive", &travel, "--csv", "-"];
     let output = run(folder.path(), &arguments);
@@ -49,4 +54,28 @@ fn results_are_equal_in_metres_millimetres_and_inches() {
             close("upper_ball_z", expected["upper_ball_z"] * metre);
         }
     }
+}
+
+#[test]
+fn inches_are_a_word_in_sentences() {
+    let folder = folder();
+    let file = in_unit("in", 1.0 / 0.0254);
+    std::fs::write(folder.path().join("a.toml"), &file).expect("written");
+    let bake = ["bake", "a.toml", "--drive", "bump=11:12", "--out", "-"];
+    for arguments in [
+        &["check", "a.toml"][..],
+        &["sheet", "a.toml", "--out", "-"],
+        &bake,
+    ] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let printed = text(&output.stdout).to_lowercase();
+        assert!(printed.contains("lengths in inches"), "{arguments:?}");
+    }
+    let lines = file.lines().filter(|line| !line.starts_with("rack"));
+    let missing = lines.collect::<Vec<_>>().join("\n");
+    std::fs::write(folder.path().join("a.toml"), missing).expect("written");
+    let output = run(folder.path(), &["check", "a.toml"]);
+    let message = text(&output.stderr);
+    assert!(message.ends_with("state all in inches\n"), "{message}");
 }

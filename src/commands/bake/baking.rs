@@ -107,7 +107,7 @@ impl Baking<'_> {
                 linkage: linkage.clone(),
                 wheel: wheel.unwrap_or_default(),
                 arguments: arguments.collect(),
-                unit: unit.symbol(),
+                unit: unit.length,
                 axes: self.mechanism.axes.meaning(),
                 held: self.held(&variables, inside),
             },

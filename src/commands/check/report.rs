@@ -69,8 +69,9 @@ impl Report<'_> {
         }
         let (what, text): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
         format!(
-            "{}: {linkage}, lengths in {symbol}, axes of {}\n\n{}",
+            "{}: {linkage}, lengths in {}, axes of {}\n\n{}",
             self.file,
+            unit.length.in_words(),
             axes.in_words(),
             laid_out(0, [TextColumn::left(what), TextColumn::left(text)])
         )

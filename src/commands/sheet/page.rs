@@ -47,7 +47,7 @@ impl Page<'_> {
         let body = html! {
             p {
                 "Axes of " (axes.in_words()) "; lengths in "
-                (unit.symbol()) ", angles in degrees. Angles and offsets of a wheel have the same sign on both sides of the vehicle."
+                (unit.length.in_words()) ", angles in degrees. Angles and offsets of a wheel have the same sign on both sides of the vehicle."
             }
             @if names.wheels.iter().any(|wheel| wheel.radius.is_none()) {
                 p {

@@ -73,7 +73,7 @@ macro_rules! functions_of_stepping {
         }
 
         /// `attempt` with two corrections in place of one, like `bounded_step_twice`: in `double` for a
-        /// wheel on a road.
+        /// wheel on a smooth road.
         fn attempt_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
             answer(|| attempted::<2>(model, inputs, outputs, dt, motion, report))
         }

@@ -126,7 +126,7 @@ fn find_in_catalogue(
         let missing = missing.join(", ");
         let message = format!(
             "[points] does not state {missing}: `{wanted}` of the catalogue has its hardpoints in metres; state all in {}",
-            file.length.symbol()
+            file.length.in_words()
         );
         return Err(source.refuse(&name.span(), message));
     }

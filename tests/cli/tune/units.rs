@@ -204,7 +204,7 @@ fn an_example_of_a_range_has_the_numbers_of_the_files_unit() {
     for (unit, scale, expected) in [
         ("m", 1.0, "[-0.06, 0.06] in m\n"),
         ("mm", 1000.0, "[-60, 60] in mm\n"),
-        ("in", 1.0 / 0.0254, "[-2, 2] in in\n"),
+        ("in", 1.0 / 0.0254, "[-2, 2] in inches\n"),
     ] {
         let drives = format!("bump = {}\nsteer = {}", 0.3 * scale, 0.34 * scale);
         let points = corner::POINTS.map(|(name, point)| {

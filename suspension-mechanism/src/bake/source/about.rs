@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::bake::driven::Output;
+use crate::mechanism::Length;
 use crate::number::{counted, exact};
 
 /// The meaning of the numbers of a baked file.
@@ -17,7 +18,7 @@ pub struct About {
     /// The drives, or the measure, of which the outputs are functions.
     pub arguments: Vec<Ranged>,
     /// The unit of lengths.
-    pub unit: &'static str,
+    pub unit: Length,
     /// The directions of the axes.
     pub axes: &'static str,
     /// The drives that are held, in words; empty if there are no others.
@@ -134,7 +135,11 @@ impl About {
         if !self.held.is_empty() {
             lines.push(format!("Held: {}.", self.held));
         }
-        lines.push(format!("Lengths in {}; axes {}.", self.unit, self.axes));
+        lines.push(format!(
+            "Lengths in {}; axes {}.",
+            self.unit.in_words(),
+            self.axes
+        ));
         if outputs.contains(&Output::SpinAxis) {
             lines.push("The spin axis counts as a point 1 m from the wheel centre.".to_owned());
         }

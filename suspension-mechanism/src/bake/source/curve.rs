@@ -43,7 +43,7 @@ impl CurveFile<'_> {
             argument,
             baked,
         } = self;
-        let (unit, per) = (about.unit, &argument.unit);
+        let (unit, per) = (about.unit.symbol(), &argument.unit);
         let joined = match baked.wanted.continuity {
             Continuity::Position => "position",
             Continuity::Velocity => "position and first derivative",

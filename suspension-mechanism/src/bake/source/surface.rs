@@ -30,7 +30,7 @@ impl SurfaceFile<'_> {
     fn header(&self) -> Vec<String> {
         let Self { titled, baked } = self;
         let Titled { about, outputs, .. } = titled;
-        let unit = about.unit;
+        let unit = about.unit.symbol();
         let joined = if baked.wanted.smooth {
             "position and first derivatives"
         } else {

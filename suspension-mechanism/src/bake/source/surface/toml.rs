@@ -33,7 +33,7 @@ patches = [
 ",
         name = file.titled.name,
         linkage = file.titled.about.linkage,
-        unit = file.titled.about.unit,
+        unit = file.titled.about.unit.symbol(),
         ranges = file.baked.wanted.ranges,
         tolerance = file.baked.wanted.tolerance,
         position = file.baked.reached.position,

@@ -30,7 +30,7 @@ impl Naming<'_> {
         let end = metres * unit.metre();
         let digit = 10.0_f64.powf(end.log10().floor());
         let end = number((end / digit).round() * digit);
-        format!("[-{end}, {end}] in {}", unit.symbol())
+        format!("[-{end}, {end}] in {}", unit.length.in_words())
     }
 
     /// The index of a name among the known ones.
