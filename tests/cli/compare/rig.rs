@@ -209,7 +209,7 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
         (
             CORNER,
             "steer [mm],wheel travel [mm],toe [deg],camber [deg],recession [mm]",
-            "Zahnstangenhub in mm,Radhub / mm,Spur (links) / \u{b0},Sturz in deg,Wheel recession / mm",
+            "Zahnstangenhub in mm,Radhub / mm,Spur (links) / \u{b0},Sturz in deg,\"Wheel\nrecession\n[mm]\"",
         ),
         (
             car,

@@ -1,4 +1,4 @@
-//! Cells that a spreadsheet has merged: the first of several rows alone has their words.
+//! Cells of spreadsheets that are merged, so that the first of several rows alone has their words, or that have several lines.
 
 use super::super::program::folder;
 use super::{CORNER, import, table};
@@ -85,4 +85,21 @@ fn rows_below_a_title_or_without_a_word_are_filled_with_nothing() {
         let imported = import(folder.path(), "a.csv", &file, &[]);
         assert_eq!(imported.points(), plain.points(), "{file}");
     }
+}
+
+/// The mass in the second column is no coordinate, as the heading says.
+#[test]
+fn a_cell_in_quotes_may_have_several_lines() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    let rows = CORNER.map(|(name, [x, y, z])| {
+        let name = name.replacen('_', "\n", 1);
+        format!("\"{name}\";0.4;{x};{y};{z};\n")
+    });
+    let heading = "\"Hard\npoint\";\"Mass\n[kg]\";\"X\n[mm]\";\"Y\n[mm]\";\"Z\n[mm]\";Remark\n";
+    let file = format!("{heading}{}", rows.concat());
+    let imported = import(folder.path(), "a.csv", &file, &[]);
+    assert_eq!(imported.points(), plain.points(), "{file}");
+    let said = "the unit of lengths is mm, as the file says";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
 }

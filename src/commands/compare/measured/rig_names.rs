@@ -55,7 +55,7 @@ const RACK: &[&str] = &["rack"];
 /// Returns the name in tables of what a rig calls so; another name, with its words as the model writes them.
 pub(super) fn in_own_words(mechanism: &Description, name: &str) -> String {
     let name = name.to_lowercase();
-    let words = name.split([' ', '_', '-', '(', ')']);
+    let words = name.split(|c: char| c.is_whitespace() || "_-()".contains(c));
     let words = words.filter(|word| !word.is_empty()).flat_map(plain);
     let mut words: Vec<&str> = words.filter(|word| !is_unsaid(mechanism, word)).collect();
     let mut entries = OF_RIGS.iter();

@@ -2,6 +2,7 @@
 
 mod adams_view;
 mod angles;
+mod broken_cells;
 mod coordinate_columns;
 mod line_per_axis;
 mod merged_cells;
@@ -30,6 +31,7 @@ use crate::vehicle_corner::Section;
 use adams_view::with_commands_as_rows;
 use angles::check_angle;
 pub(in crate::commands::import) use angles::is_name_of_other_angle;
+use broken_cells::with_whole_cells;
 use coordinate_columns::CoordinateColumns;
 use line_per_axis::joined;
 use merged_cells::with_merged_cells;
@@ -45,7 +47,7 @@ use thousands::Thousands;
 /// [`Failure::Input`] at a known point without three numbers, and at columns in another order; [`Failure::Interrupted`].
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let lines = with_commands_as_rows(lines_with_tabs(source.text()));
-    let lines = with_merged_cells(lines);
+    let lines = with_merged_cells(with_whole_cells(lines));
     let lines = joined(with_names_in_rows(lines.into_iter(), names).into_iter());
     let mut table = Table {
         stated: Hardpoints::new(source, Axes::Iso),
