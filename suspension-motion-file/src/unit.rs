@@ -138,6 +138,13 @@ impl Unit {
         angle: Angle::Radian,
     };
 
+    /// All units that a file may have.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let angles = [Angle::Degree, Angle::Radian];
+        let all = Length::ALL.into_iter();
+        all.flat_map(move |length| angles.map(|angle| Self { length, angle }))
+    }
+
     /// The symbol of the unit of lengths.
     pub fn symbol(self) -> &'static str {
         self.length.symbol()

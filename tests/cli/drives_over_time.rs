@@ -13,6 +13,15 @@ fn corner(law: &str) -> String {
     )
 }
 
+/// An arm about the x axis, with a tip whose height is stated as `law`.
+fn arm(unit: &str, law: &str) -> String {
+    format!(
+        "unit = {unit:?}\nstatements = \"\"\"\nfixed: front at [30, 0, 0], rear at [-20, 0, 0];\nfree: tip at [0, 50, 0];\n\
+         hinge arm: front, rear -> tip;\ndrive bump: tip.z;\n\"\"\"\n[time]\nstart = 0.0\nstop = 1.0\nstep = 0.5\n\
+         [drives]\nbump = {law}\n"
+    )
+}
+
 const SINE: &str = "{ mean = 0.30, amplitude = 0.05, frequency = 1.5, phase = 0.4 }";
 
 /// The sine with its rates.
@@ -171,13 +180,14 @@ fn units_of_recordings_are_those_of_the_file() {
     ] {
         assert_eq!(motion(headings, below, ""), (Some(0), String::new()));
     }
-    let factor = "state the factor between them, as factor = 0.001\n";
+    let factor = "state the factor between them, factor = 0.001\n";
     for (headings, below, at, stated) in [
         (["t_ms", "travel"], "", 1, "`t_ms` is in ms"),
         (["Zeit [ms]", "travel"], "", 1, "`Zeit [ms]` is in ms"),
         (["t", "travel [mm]"], "", 3, "`travel [mm]` is in mm"),
+        (["t", "travel / mm"], "", 3, "`travel / mm` is in mm"),
+        (["t", "travel in mm"], "", 3, "`travel in mm` is in mm"),
         (["t", "travel"], "s;mm\n", 3, "`travel` is in mm"),
-        (["t", "travel"], "s;Grad\n", 3, "`travel` is in deg"),
     ] {
         let needed = match at {
             1 => "not in s: convert the column\n",
@@ -188,6 +198,45 @@ fn units_of_recordings_are_those_of_the_file() {
     }
     let scaled = motion(["t", "travel [mm]"], "", ", factor = 1.001");
     assert_eq!(scaled, (Some(0), String::new()));
+    // The factor leads from the unit of the recording to that of the file.
+    for (unit, heading, remedy) in [
+        (
+            "mm",
+            "z [m]",
+            "state the factor between them, factor = 1000\n",
+        ),
+        (
+            "mm",
+            "z [in]",
+            "state the factor between them, factor = 25.4\n",
+        ),
+        (
+            "in",
+            "z [mm]",
+            "state the factor between them, factor = 0.0393700787401574",
+        ),
+        (
+            "mm",
+            "z [cm]",
+            "convert the column, or state the factor between them\n",
+        ),
+        (
+            "mm",
+            "z [deg]",
+            "convert the column, or state the factor between them\n",
+        ),
+    ] {
+        write("logged.csv", &format!("t,{heading}\n0,0.3\n1,0.3\n"));
+        let law = format!("{{ csv = \"logged.csv\", columns = [\"t\", {heading:?}] }}");
+        write("a.toml", &arm(unit, &law));
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let printed = text(&output.stderr);
+        assert!(
+            printed.contains(&format!(", not in {unit}: {remedy}")),
+            "{printed}"
+        );
+    }
 }
 
 #[test]

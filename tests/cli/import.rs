@@ -11,6 +11,7 @@ mod frames;
 mod groups;
 mod incomplete;
 mod line_per_axis;
+mod merged;
 mod names_as_columns;
 mod noted;
 mod random;

@@ -12,6 +12,8 @@ struct Clue {
     axis: usize,
     /// 1 if the axis points as in ISO 8855, -1 if it points the other way.
     sign: f64,
+    /// How far the points are from each other along the axis.
+    apart: f64,
     why: String,
 }
 
@@ -188,12 +190,14 @@ fn swapped(why: &str) -> String {
     )
 }
 
-/// Returns the first clue of the direction that most clues of an axis show, or the first one does, and the first clue against
-/// it: a mistyped coordinate turns one pair of points round, not the others.
+/// Returns the first clue of the direction that most clues of an axis show, or the points that are furthest apart, and the first
+/// clue against it: a mistyped coordinate turns one pair of points round, not the others, and a mistyped sign leaves that pair
+/// close together.
 fn majority(clues: Vec<Clue>) -> (Option<Clue>, Option<Clue>) {
     let sum: f64 = clues.iter().map(|clue| clue.sign).sum();
-    let first = clues.first().map_or(0.0, |clue| clue.sign);
-    let sign = if sum == 0.0 { first } else { sum.signum() };
+    let furthest = clues.iter().max_by(|a, b| a.apart.total_cmp(&b.apart));
+    let furthest = furthest.map_or(0.0, |clue| clue.sign);
+    let sign = if sum == 0.0 { furthest } else { sum.signum() };
     let (with, against): (Vec<Clue>, Vec<Clue>) =
         clues.into_iter().partition(|clue| clue.sign == sign);
     (with.into_iter().next(), against.into_iter().next())
@@ -213,6 +217,7 @@ fn clues_from_order(
         (a != b).then(|| Clue {
             axis,
             sign: (a - b).signum(),
+            apart: (a - b).abs(),
             why: format!(
                 "{name} is {a} at `{}` and {b} at `{}` {is} it",
                 first.name, second.name
@@ -232,6 +237,7 @@ fn clue_from_side(choice: &Choice<'_>) -> Option<Clue> {
     (y != 0.0).then(|| Clue {
         axis: 1,
         sign: side.sign() * y.signum(),
+        apart: y.abs(),
         why: format!("y is {y} at `{}` on the {}", point.name, side.name()),
     })
 }

@@ -46,10 +46,12 @@ const OF_PART: [&str; 8] = [
 ];
 
 /// Returns a name as it is compared, and the side that it states. It omits the prefixes of Adams/Car, the model, and hpl_,
-/// hpr_ or hps_ for left, right and single; the path of a structure in a program; and the code of a corner such as RL.
+/// hpr_ or hps_ for left, right and single; the path of a structure in a program; and the code of a corner such as RL. A point
+/// behind an abbreviation, as in `Lwr. arm`, is not that of a path.
 pub(super) fn key_of(name: &str) -> (String, Sides) {
+    let name = name.trim_end_matches('.').replace(". ", " ");
     let mut path = name.rsplit('.');
-    let own = path.next().unwrap_or(name);
+    let own = path.next().unwrap_or(&name);
     let key = match path.next() {
         Some(part) if OF_PART.contains(&spelled(own).as_str()) => spelled(&format!("{part} {own}")),
         _ => spelled(own),

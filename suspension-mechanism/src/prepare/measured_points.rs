@@ -48,13 +48,14 @@ impl MeasuredPoints {
         &self,
         which: usize,
         wanted: &str,
-        remedy: &str,
+        remedy: impl Fn(&str) -> String,
     ) -> Result<(), Failure> {
         let column = self.columns[which];
         let heading = self.table.headings()[column];
         let below = self.units.get(column).map_or("", String::as_str);
         match stated_unit(heading, below) {
             Some(stated) if stated != wanted => {
+                let remedy = remedy(&stated);
                 let message = format!("`{heading}` is in {stated}, not in {wanted}: {remedy}");
                 Err(self.table.refuse_heading(column, message))
             }

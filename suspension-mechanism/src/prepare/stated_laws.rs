@@ -5,8 +5,8 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{CsvTable, Dimension, Recording, StatedLaw};
-use crate::mechanism::{DriveLaws, Law, Sine, Spline};
-use crate::number::number;
+use crate::mechanism::{DriveLaws, Law, Sine, Spline, Unit};
+use crate::number::{exact, number};
 use crate::prepare::measured_points::MeasuredPoints;
 use crate::prepare::task::Task;
 
@@ -82,10 +82,11 @@ impl Task<'_> {
         dimension: Dimension,
     ) -> Result<Vec<[f64; 2]>, Failure> {
         let points = MeasuredPoints::find(self.source, &recording.table, OF_RECORDING)?;
-        points.check_unit(0, "s", "convert the column")?;
+        points.check_unit(0, "s", |_| "convert the column".to_owned())?;
         if recording.factor.get_ref().abs() == 1.0 {
-            let remedy = "state the factor between them, as factor = 0.001";
-            points.check_unit(1, &dimension.symbol(self.file.unit()), remedy)?;
+            let unit = self.file.unit();
+            let remedy = |stated: &str| factor_between(stated, dimension, unit);
+            points.check_unit(1, &dimension.symbol(unit), remedy)?;
         }
         let numbers = points.numbers()?;
         points.check_times(&numbers)?;
@@ -111,5 +112,18 @@ impl Task<'_> {
             ));
         }
         Ok(spline)
+    }
+}
+
+/// Says which factor leads from the stated unit of a column to that of the file.
+fn factor_between(stated: &str, dimension: Dimension, unit: Unit) -> String {
+    let from = Unit::all().find(|from| dimension.symbol(*from) == stated);
+    match from {
+        Some(from) => {
+            let angles = unit.file_factor(dimension) / from.file_factor(dimension);
+            let factor = exact(dimension.conversion(from, unit) * angles);
+            format!("state the factor between them, factor = {factor}")
+        }
+        None => "convert the column, or state the factor between them".to_owned(),
     }
 }

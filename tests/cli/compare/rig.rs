@@ -207,6 +207,11 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
             "Steering rack displacement [mm],Left wheel jounce [mm],Toe FL [deg],Front left camber [deg],Wheel recession L [mm]",
         ),
         (
+            CORNER,
+            "steer [mm],wheel travel [mm],toe [deg],camber [deg],recession [mm]",
+            "Zahnstangenhub in mm,Radhub / mm,Spur (links) / \u{b0},Sturz in deg,\"Wheel\nrecession\n[mm]\"",
+        ),
+        (
             car,
             "front_left wheel travel [mm],rear_right toe [deg],rear_right wheel travel [mm],front_steer [mm],front_left camber [deg]",
             "Wheel travel FL [mm],Toe RR [deg],Wheel travel Z RR [mm],Rack displacement [mm],LF camber [deg]",
@@ -242,8 +247,12 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
 fn what_a_rig_measures_elsewhere_is_left_out() {
     let table = "Wheel travel L [mm],Toe L [deg],Toe R [deg],Jounce bumper force [N]\n0,0,0,0\n";
     let (_folder, output) = beside(CORNER, table, &[]);
-    let left_out = "knows no such names: `Toe R [deg]`, `Jounce bumper force [N]`;";
-    assert!(text(&output.stderr).contains(left_out), "{output:?}");
+    for left_out in [
+        "m.csv: left out, as the model has only the wheel on the other side: `Toe R [deg]`; import with --side or --axle makes",
+        "knows no such names: `Jounce bumper force [N]`;",
+    ] {
+        assert!(text(&output.stderr).contains(left_out), "{output:?}");
+    }
     let table = "Wheel travel L [mm],Toe L [deg],Handwheel angle [deg]\n0,0,0\n";
     let (_folder, output) = beside(CORNER, table, &[]);
     let expected =

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use suspension_core::linkages::LISTINGS;
+
 use super::super::program::folder;
 use super::refused::refusal;
 use super::{CORNER, IN_OUR_AXES, Imported, import, listed, table};
@@ -72,6 +74,36 @@ fn axes_of_a_five_link_suspension_are_inferred() {
     }
 }
 
+/// Without a pair of points for the layout its axes would be taken as usual, without a doubt.
+#[test]
+fn axes_are_deduced_in_every_layout_whose_names_say_front_and_upper() {
+    let folder = folder();
+    let without = [
+        "attia2003",
+        "five_link",
+        "steered_axle",
+        "front_and_rear_axle",
+    ];
+    let layouts = LISTINGS.iter().map(|(linkage, _)| *linkage);
+    for linkage in layouts.filter(|linkage| !without.contains(linkage)) {
+        let listed = listed(linkage);
+        for signs in [[1.0, 1.0, 1.0], [-1.0, -1.0, 1.0], [1.0, -1.0, -1.0]] {
+            let points = listed.iter().map(|(name, at)| {
+                let at = [0, 1, 2].map(|axis| at[axis] * signs[axis]);
+                (name.as_str(), at)
+            });
+            let points: Vec<_> = points.collect();
+            let imported = import(folder.path(), "a.csv", &table(&points), &[]);
+            assert_eq!(
+                imported.points(),
+                listed.iter().cloned().collect(),
+                "{linkage} {signs:?} {}",
+                imported.notes
+            );
+        }
+    }
+}
+
 #[test]
 fn stated_axes_are_used_and_a_contradiction_by_points_is_noted() {
     let folder = folder();
@@ -97,14 +129,27 @@ fn stated_axes_are_used_and_a_contradiction_by_points_is_noted() {
 fn a_mistyped_coordinate_does_not_turn_the_axes() {
     let folder = folder();
     let file = corner("", [1.0; 3]);
-    let mistyped = file.replace("uca_outer, 14, -535, 330", "uca_outer, 14, -535, 33");
-    assert_ne!(mistyped, file);
-    let imported = import(folder.path(), "a.csv", &mistyped, &[]);
-    for said in [
-        "axes are Adams (x rearward, y right, z up)",
-        "note: a.csv: z is 33 at `uca_outer` and 128 at `lca_outer` below it: is a coordinate mistyped, or have they each other's names?\n",
+    for (row, other, doubt) in [
+        (
+            "uca_outer, 14, -535, 330",
+            "uca_outer, 14, -535, 33",
+            "z is 33 at `uca_outer` and 128 at `lca_outer` below it",
+        ),
+        (
+            "lca_rear, 150,",
+            "lca_rear, -150,",
+            "x is -140 at `lca_front` and -150 at `lca_rear` behind it",
+        ),
     ] {
-        assert!(imported.notes.contains(said), "{}", imported.notes);
+        let mistyped = file.replace(row, other);
+        assert_ne!(mistyped, file);
+        let notes = import(folder.path(), "a.csv", &mistyped, &[]).notes;
+        let doubt = format!(
+            "note: a.csv: {doubt}: is a coordinate mistyped, or have they each other's names?\n"
+        );
+        for said in ["axes are Adams (x rearward, y right, z up)", &*doubt] {
+            assert!(notes.contains(said), "{notes}");
+        }
     }
 }
 

@@ -16,7 +16,7 @@ fn steers(imported: &Imported) -> bool {
 }
 
 /// Rows above the table, the name of the file, the inner end of the tie rod, and whether it steers.
-const CASES: [(&str, &str, &str, bool); 14] = [
+const CASES: [(&str, &str, &str, bool); 15] = [
     ("", "a.csv", "tierod_inner", true),
     ("", "a.csv", "Toe link inner", false),
     ("Rear suspension\n", "a.csv", "tierod_inner", false),
@@ -28,6 +28,12 @@ const CASES: [(&str, &str, &str, bool); 14] = [
     ("", "Hardpoints_Rear_2024.csv", "tierod_inner", false),
     ("Front axle\n", "rear.csv", "Toe link inner", true),
     ("Front and rear axle\n", "a.csv", "tierod_inner", true),
+    (
+        "Point, X to rear, Y to right, Z up\n",
+        "a.csv",
+        "tierod_inner",
+        true,
+    ),
     ("Rear lower wishbone\n", "a.csv", "tierod_inner", true),
     (
         "# front axle\n# rear axle\n",
@@ -169,6 +175,11 @@ fn an_arm_with_an_oblique_axis_is_called_a_semi_trailing_arm() {
                 layout. With the points shaft_inner and shaft_outer the layout is semi_trailing_arm, with the drive shaft";
     let oblique = import(folder.path(), "a.csv", &points(280.0), &[]);
     assert!(oblique.notes.contains(said), "{}", oblique.notes);
+    for name in ["Semi trailing arm", "Schr\u{e4}glenker"] {
+        let named = points(280.0).replace("pivot_", &format!("{name} "));
+        let named = import(folder.path(), "a.csv", &named, &[]);
+        assert_eq!(named.points(), oblique.points(), "{name}");
+    }
     let across = import(folder.path(), "a.csv", &points(450.0), &[]);
     assert!(!across.notes.contains("semi"), "{}", across.notes);
 }

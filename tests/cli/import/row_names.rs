@@ -127,6 +127,17 @@ fn short_words_of_cad_exports_and_german_names_are_known() {
             ("bellcrank_pivot", "Umlenkhebel Drehpunkt"),
             ("bellcrank_axis", "Umlenkhebelachse"),
         ],
+        [
+            ("lca_front", "Bras inf\u{e9}rieur avant int."),
+            ("lca_outer", "LCA_O"),
+            ("uca_front", "Upr. arm frt."),
+            ("uca_outer", "UCA_O"),
+            ("tierod_inner", "Biellette direction int."),
+            ("tierod_outer", "Biellette direction ext."),
+            ("wheel_center", "Wheel ctr."),
+            ("shock_to_bellcrank", "Spring/damper rocker"),
+            ("shock_to_chassis", "Spring/damper chassis"),
+        ],
     ] {
         let mut file = table(&CORNER);
         for (name, other) in names {
@@ -137,4 +148,41 @@ fn short_words_of_cad_exports_and_german_names_are_known() {
         assert_eq!(imported.points(), known, "{}", imported.notes);
         assert!(!imported.notes.contains("not used"), "{}", imported.notes);
     }
+}
+
+#[test]
+fn german_names_of_five_links_are_known() {
+    let file = "Rear axle
+Lower front link inner, 142.1, 318.2, 101.4
+Upper front link inner, 118.4, 402.6, 318.2
+Upper rear link inner, -96.3, 388.7, 341.5
+Lower rear link inner, -212.4, 251.9, 121.2
+Toe link inner, -118.7, 302.5, 128.4
+Lower front link outer, 46.1, 688.2, 118.9
+Upper front link outer, 18.4, 661.7, 371.4
+Upper rear link outer, -28.3, 671.2, 384.9
+Lower rear link outer, -52.6, 672.3, 108.1
+Toe link outer, -139.2, 662.8, 142.8
+Wheel centre, 0, 742, 262
+";
+    let words = [
+        ("Rear axle", "Hinterachse"),
+        ("Toe link", "Spurlenker"),
+        ("Wheel centre", "Radmitte"),
+        ("link", "Lenker"),
+        ("Lower", "Unterer"),
+        ("Upper", "Oberer"),
+        ("front", "vorderer"),
+        ("rear", "hinterer"),
+        ("inner", "innen"),
+        ("outer", "au\u{df}en"),
+    ];
+    let words = words.iter();
+    let german = words.fold(file.to_owned(), |file, (name, other)| {
+        file.replace(name, other)
+    });
+    let folder = folder();
+    let [english, german] = [file, &german].map(|file| import(folder.path(), "a.csv", file, &[]));
+    assert_eq!(german.points(), english.points());
+    assert_eq!(german.text("linkage"), "multi_link");
 }

@@ -20,6 +20,8 @@ fn a_point_row_without_three_numbers_is_refused() {
             ", \u{2013} 175",
             none("\u{2013} 175", " (its sign stands directly before it)"),
         ),
+        ("-175", "-175*", none("-175*", "")),
+        ("-175", "--175", none("--175", "")),
         ("-175", "inf", "it has 2".to_owned()),
         (
             "lca_rear, 150, -175, 120",
@@ -32,6 +34,34 @@ fn a_point_row_without_three_numbers_is_refused() {
             format!("a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z; {has}");
         assert_eq!(message, expected, "{other}");
     }
+}
+
+/// Such a row would be a remark, and the suspension would lack the point or an optional part.
+#[test]
+fn an_error_value_of_a_spreadsheet_is_refused() {
+    for error in [
+        "#REF!", "#N/A", "#NV", "#DIV/0!", "#NAME?", "#WERT!", "#####", "Err:502",
+    ] {
+        for row in ["6;-210;515", "-210;515"] {
+            let file = table(&CORNER).replace(", ", ";");
+            let first = row.split(';').next().expect("a number");
+            let file = file.replacen(
+                &format!(";{row}"),
+                &format!(";{}", row.replacen(first, error, 1)),
+                1,
+            );
+            let said = refusal("a.csv", &file, &[]);
+            let expected = format!(
+                "a.csv:14:1: the cell `{error}` of `shock_to_bellcrank` is an error of the spreadsheet: correct it there and save the table again"
+            );
+            assert_eq!(said, expected, "{row}");
+        }
+    }
+    // Behind the coordinates, and beside no point, it is no coordinate.
+    let behind = table(&CORNER).replace('\n', ", #N/A\n") + "Motion ratio, #DIV/0!\n";
+    let plain = import(folder().path(), "a.csv", &table(&CORNER), &[]);
+    let imported = import(folder().path(), "a.csv", &behind, &[]);
+    assert_eq!(imported.points(), plain.points());
 }
 
 /// A dash before a number may be its sign or belong to the name, so it is not guessed.

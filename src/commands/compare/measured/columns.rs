@@ -7,7 +7,7 @@ use suspension_core::listing::DriveKind;
 
 use super::doubts::{doubt, doubt_of_travel};
 use super::heading::Stated;
-use super::rig_names::is_of_other_axle;
+use super::rig_names::{is_of_other_axle, is_of_other_side};
 use crate::characteristics::{Effect, usual_change};
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -42,20 +42,22 @@ impl KnownColumn {
         from: CountedFrom,
     ) -> Result<Vec<Self>, Failure> {
         let units = table.take_units();
-        let (mut known, mut left_out, mut of_other_axle) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut known, mut left_out) = (Vec::new(), Vec::new());
         let headings = table.headings().into_iter().enumerate();
         for (column, heading) in headings.filter(|(_, heading)| !heading.is_empty()) {
             let below = units.get(column).map_or("", String::as_str);
             let stated = Stated::read(mechanism, heading, below);
             match stated.map_err(|message| table.refuse_heading(column, message))? {
                 Some(stated) => known.push((column, stated)),
-                None if is_of_other_axle(mechanism, heading) => of_other_axle.push(heading),
-                None => left_out.push(heading),
+                None => left_out.push((why_left_out(mechanism, heading), heading)),
             }
         }
         check_once(table, &known)?;
-        tell_left_out(table.name(), OTHER_AXLE, &of_other_axle);
-        tell_left_out(table.name(), UNKNOWN, &left_out);
+        for why in [OTHER_AXLE, OTHER_SIDE, UNKNOWN] {
+            let headings = left_out.iter().filter(|(reason, _)| *reason == why);
+            let headings: Vec<&str> = headings.map(|(_, heading)| *heading).collect();
+            tell_left_out(table.name(), why, &headings);
+        }
         let known = known.into_iter();
         known
             .map(|(column, stated)| Self::read(table, mechanism, (column, stated), from))
@@ -189,6 +191,21 @@ const OTHER_AXLE: [&str; 2] = [
     "as the model is of the other axle",
     "[vehicle] of the motion file states which one",
 ];
+
+const OTHER_SIDE: [&str; 2] = [
+    "as the model has only the wheel on the other side",
+    "import with --side or --axle makes a model that has this wheel",
+];
+
+fn why_left_out(mechanism: &Description, heading: &str) -> [&'static str; 2] {
+    if is_of_other_axle(mechanism, heading) {
+        OTHER_AXLE
+    } else if is_of_other_side(mechanism, heading) {
+        OTHER_SIDE
+    } else {
+        UNKNOWN
+    }
+}
 
 /// Names the columns that are left out.
 fn tell_left_out(table: &str, [why, remedy]: [&str; 2], headings: &[&str]) {

@@ -10,7 +10,7 @@ use crate::characteristics::{
 };
 use crate::file::Dimension;
 use crate::measured_table::units::{name_and_symbol, usual_symbol};
-use crate::mechanism::{Angle, Description, GridAxis, Length, Unit};
+use crate::mechanism::{Description, GridAxis, Unit};
 use crate::quantities::{CENTRE, Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL, columns};
 
 /// What a heading states.
@@ -175,10 +175,7 @@ fn meant(
 
 /// Returns the units in which a file may be, its own first.
 fn units(own: Unit) -> impl Iterator<Item = Unit> {
-    let angles = [Angle::Degree, Angle::Radian];
-    let all = Length::ALL.into_iter();
-    let all = all.flat_map(move |length| angles.map(|angle| Unit { length, angle }));
-    [own].into_iter().chain(all)
+    [own].into_iter().chain(Unit::all())
 }
 
 /// Returns the unit that a symbol means for a dimension.

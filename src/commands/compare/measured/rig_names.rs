@@ -55,7 +55,7 @@ const RACK: &[&str] = &["rack"];
 /// Returns the name in tables of what a rig calls so; another name, with its words as the model writes them.
 pub(super) fn in_own_words(mechanism: &Description, name: &str) -> String {
     let name = name.to_lowercase();
-    let words = name.split([' ', '_', '-', '(', ')']);
+    let words = name.split(|c: char| c.is_whitespace() || "_-()".contains(c));
     let words = words.filter(|word| !word.is_empty()).flat_map(plain);
     let mut words: Vec<&str> = words.filter(|word| !is_unsaid(mechanism, word)).collect();
     let mut entries = OF_RIGS.iter();
@@ -100,17 +100,21 @@ fn is_unsaid(mechanism: &Description, word: &str) -> bool {
         let is_said = |wheel: &Wheel| wheel.name.split('_').any(|part| part == word);
         !wheels.iter().any(|wheel| is_other(wheel) || is_said(wheel))
     };
-    let is_on_side = |sign: f64| match &wheels[..] {
-        [wheel] if wheel.name.is_empty() => wheel
-            .design
-            .is_some_and(|[_, centre]| sign * mechanism.axes.turned(centre).y > 0.0),
-        _ => false,
-    };
     match word {
         "front" => is_of_end(Axle::Front),
         "rear" => is_of_end(Axle::Rear),
-        "left" => is_on_side(1.0),
-        "right" => is_on_side(-1.0),
+        "left" => has_one_wheel(mechanism, 1.0),
+        "right" => has_one_wheel(mechanism, -1.0),
+        _ => false,
+    }
+}
+
+/// Whether the only wheel, which has no name, is on the side of this sign of y.
+fn has_one_wheel(mechanism: &Description, side: f64) -> bool {
+    match &mechanism.names.wheels[..] {
+        [wheel] if wheel.name.is_empty() => wheel
+            .design
+            .is_some_and(|[_, centre]| side * mechanism.axes.turned(centre).y > 0.0),
         _ => false,
     }
 }
@@ -122,6 +126,14 @@ pub(super) fn is_of_other_axle(mechanism: &Description, name: &str) -> bool {
     let name = in_own_words(mechanism, name);
     let says = |end: &str| name.split('_').any(|word| word == end);
     (says("front") && all_are(Axle::Rear)) || (says("rear") && all_are(Axle::Front))
+}
+
+/// Whether a name is of the wheel on the other side, which the model does not have.
+pub(super) fn is_of_other_side(mechanism: &Description, name: &str) -> bool {
+    let name = in_own_words(mechanism, name);
+    let says = |side: &str| name.split('_').any(|word| word == side);
+    (says("left") && has_one_wheel(mechanism, -1.0))
+        || (says("right") && has_one_wheel(mechanism, 1.0))
 }
 
 /// The drive that moves a rack, if there is one alone.

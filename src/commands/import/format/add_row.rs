@@ -130,15 +130,15 @@ fn what_it_has(row: &Row<'_>) -> String {
     }
 }
 
-/// Says which sign of a mistyped number is probably the mistake; nothing of one with letters, as `46O`.
+/// Says which sign of a mistyped number is probably the mistake; nothing of others, as `46O`.
 fn why_no_number(field: &str) -> &'static str {
     let unsigned = field.trim_start_matches(MINUS).trim_start_matches('+');
     if unsigned.len() < field.len() && unsigned.starts_with(char::is_whitespace) {
         " (its sign stands directly before it)"
-    } else if field.contains(char::is_alphabetic) {
-        ""
-    } else {
+    } else if field.contains(|c: char| c.is_whitespace() || "'\u{2019}".contains(c)) {
         " (between thousands only a comma or a point may stand)"
+    } else {
+        ""
     }
 }
 

@@ -10,8 +10,9 @@ const OF_SUSPENSION: [&str; 5] = ["suspension", "axle", "corner", "hardpoints", 
 /// Words of a side in headings.
 const OF_SIDE: [&str; 6] = ["left", "right", "lh", "rh", "lhs", "rhs"];
 
-/// Words in a remark on where coordinates are measured from, such as `x from the rear axle`, before those of the place.
-const OF_ORIGIN: &str = "origin at from datum reference relative behind ahead zero";
+/// Words in a remark on where coordinates are measured from, such as `x from the rear axle`, or where they count to, such as `x
+/// to rear`, before those of the place.
+const OF_ORIGIN: &str = "origin at from datum reference relative behind ahead zero to towards nach";
 
 /// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
 /// `Front lower wishbone` is of a part.

@@ -2,10 +2,13 @@
 
 mod adams_view;
 mod angles;
+mod broken_cells;
 mod coordinate_columns;
 mod line_per_axis;
+mod merged_cells;
 mod names_as_columns;
 mod row_name;
+mod spreadsheet_errors;
 mod thousands;
 
 use std::mem::take;
@@ -28,10 +31,13 @@ use crate::vehicle_corner::Section;
 use adams_view::with_commands_as_rows;
 use angles::check_angle;
 pub(in crate::commands::import) use angles::is_name_of_other_angle;
+use broken_cells::with_whole_cells;
 use coordinate_columns::CoordinateColumns;
 use line_per_axis::joined;
+use merged_cells::with_merged_cells;
 use names_as_columns::with_names_in_rows;
 use row_name::{name_of, with_whole_name};
+use spreadsheet_errors::first_error;
 use thousands::Thousands;
 
 /// Reads a table.
@@ -41,6 +47,7 @@ use thousands::Thousands;
 /// [`Failure::Input`] at a known point without three numbers, and at columns in another order; [`Failure::Interrupted`].
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let lines = with_commands_as_rows(lines_with_tabs(source.text()));
+    let lines = with_merged_cells(with_whole_cells(lines));
     let lines = joined(with_names_in_rows(lines.into_iter(), names).into_iter());
     let mut table = Table {
         stated: Hardpoints::new(source, Axes::Iso),
@@ -94,6 +101,7 @@ impl Table<'_, '_> {
             ..Row::parse(place.clone(), &named)
         };
         row.groups = self.groups_of(&row, whole);
+        self.check_cells(&row, line)?;
         let section = remarked.or(self.section);
         if let Some(rows) = self.side_by_side(&row)? {
             for (mut row, group) in rows.into_iter().zip(self.groups.clone()) {
@@ -107,6 +115,25 @@ impl Table<'_, '_> {
             self.columns = CoordinateColumns::of_heading(line).or(take(&mut self.columns));
         }
         Ok(())
+    }
+
+    /// Refuses an error of the spreadsheet in place of a coordinate or a number that is known.
+    fn check_cells(&self, row: &Row<'_>, line: &str) -> Result<(), Failure> {
+        let Some((before, cell)) = first_error(line) else {
+            return Ok(());
+        };
+        let read = Row::parse(row.place.clone(), before);
+        let name = name_of(&read, &self.heading, self.names);
+        let (key, _) = key_of(&name);
+        let is_short = read.places().len() < self.groups.len().max(1);
+        let is_number = self.names.is_number(&key) && read.numbers().is_empty();
+        if !(is_number || is_short && self.names.is_point(&key)) {
+            return Ok(());
+        }
+        let message = format!(
+            "the cell `{cell}` of `{name}` is an error of the spreadsheet: correct it there and save the table again"
+        );
+        Err(self.stated.source.refuse(&row.place, message))
     }
 
     /// Returns the groups of columns in which a line has numbers. A number in the first one alone is of all.

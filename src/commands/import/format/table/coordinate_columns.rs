@@ -60,11 +60,12 @@ impl CoordinateColumns {
         filled.map(|(_, group)| *group).collect()
     }
 
-    /// Returns the cells of a line that has as many as the heading, with a coordinate among them.
+    /// Returns the cells of a line that has as many as the heading, with a coordinate among them, and no separator in quotes.
     fn cells<'a>(&self, line: &'a str) -> Option<Vec<&'a str>> {
         let cells: Vec<&str> = line.split(self.separator).collect();
         let mut numbers = (0..cells.len()).filter(|column| is_number(cells[*column]));
-        let is_row = cells.len() == self.count && !line.contains('"');
+        let is_whole = |cell: &&str| cell.matches('"').count().is_multiple_of(2);
+        let is_row = cells.len() == self.count && cells.iter().all(is_whole);
         (is_row && numbers.any(|column| self.is_coordinate(column))).then_some(cells)
     }
 

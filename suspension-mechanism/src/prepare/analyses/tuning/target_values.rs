@@ -16,7 +16,9 @@ use crate::tune::{self, Reading};
 const PLACES: usize = 13;
 
 /// What to do about a column in another unit.
-const CONVERT: &str = "convert the column";
+fn convert(_stated: &str) -> String {
+    "convert the column".to_owned()
+}
 
 /// Drives that move together, with their range.
 type Over<'a> = (&'a Spanned<String>, &'a Spanned<NumberList<2>>);
@@ -107,9 +109,9 @@ impl Naming<'_> {
         let axis = self.named_axis(drives, &[], &[])?;
         let kind = self.mechanism.names.drives[axis.drives[0].0].kind;
         let unit = self.mechanism.unit;
-        points.check_unit(0, &Dimension::from(kind).symbol(unit), CONVERT)?;
+        points.check_unit(0, &Dimension::from(kind).symbol(unit), convert)?;
         if reading.per.is_none() {
-            points.check_unit(1, &reading.column.dimension.symbol(unit), CONVERT)?;
+            points.check_unit(1, &reading.column.dimension.symbol(unit), convert)?;
         }
         points.numbers()
     }
