@@ -212,6 +212,16 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
             "Zahnstangenhub in mm,Radhub / mm,Spur (links) / \u{b0},Sturz in deg,\"Wheel\nrecession\n[mm]\"",
         ),
         (
+            CORNER,
+            "steer [mm],wheel travel [mm],toe [deg],camber [deg],recession [mm]",
+            "Rack travel in mm,Vertical travel in mm,Toe in (FL) in deg,Camber [deg],Wheel recession [mm]",
+        ),
+        (
+            &axle,
+            "left wheel travel [mm],steer [mm],left toe [deg],right toe [deg],total toe [deg]",
+            "Jounce L [mm],Rack [mm],Toe in L [deg],Toe-in angle R (deg),Total toe-in [deg]",
+        ),
+        (
             car,
             "front_left wheel travel [mm],rear_right toe [deg],rear_right wheel travel [mm],front_steer [mm],front_left camber [deg]",
             "Wheel travel FL [mm],Toe RR [deg],Wheel travel Z RR [mm],Rack displacement [mm],LF camber [deg]",
@@ -267,6 +277,21 @@ fn what_a_rig_measures_elsewhere_is_left_out() {
         "knows no such names: `ch4`;",
     ] {
         assert!(text(&output.stderr).contains(left_out), "{output:?}");
+    }
+}
+
+#[test]
+fn a_quantity_of_the_opposite_sign_is_refused() {
+    for (heading, place) in [("Toe-out [deg]", 19), ("left toe out angle (deg)", 19)] {
+        let table = format!("wheel travel [mm],{heading}\n0,0\n9,1\n");
+        let (_folder, output) = beside(CORNER, &table, &[]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let (name, _) = heading.split_once([' ', '(']).expect("a unit");
+        let expected = format!("m.csv:1:{place}: `{name}");
+        assert!(text(&output.stderr).starts_with(&expected), "{output:?}");
+        let expected = "has the opposite sign of `toe`, which is positive if the front of the wheel points inboard: change the \
+                        signs and call it `toe`; a column whose heading is empty is left out\n";
+        assert!(text(&output.stderr).ends_with(expected), "{output:?}");
     }
 }
 

@@ -4,7 +4,7 @@ use crate::mechanism::{Axle, Description, Wheel};
 use crate::vehicle_corner::Section;
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
-const OF_RIGS: [(&[&str], &[&str]); 40] = [
+const OF_RIGS: [(&[&str], &[&str]); 42] = [
     (&["wheel", "centre", "vertical", "travel"], WHEEL_TRAVEL),
     (&["wheel", "vertical", "travel"], WHEEL_TRAVEL),
     (&["vertical", "travel"], WHEEL_TRAVEL),
@@ -17,6 +17,7 @@ const OF_RIGS: [(&[&str], &[&str]); 40] = [
     (&["swa"], STEERING_WHEEL),
     (&["steering", "rack", "travel"], RACK),
     (&["rack", "travel"], RACK),
+    (&["rack"], RACK),
     (&["kingpin", "inclination"], &["kingpin"]),
     (&["king", "pin", "inclination"], &["kingpin"]),
     (&["kpi"], &["kingpin"]),
@@ -26,6 +27,7 @@ const OF_RIGS: [(&[&str], &[&str]); 40] = [
     (&["wheel", "centre", "recession"], &["recession"]),
     (&["wheel", "recession"], &["recession"]),
     (&["track", "width"], &["track"]),
+    (&["toe", "in"], &["toe"]),
     (&["lenkradwinkel"], STEERING_WHEEL),
     (&["lenkwinkel"], &["steer", "angle"]),
     (&["zahnstangenweg"], RACK),
@@ -55,9 +57,8 @@ const RACK: &[&str] = &["rack"];
 /// Returns the name in tables of what a rig calls so; another name, with its words as the model writes them.
 pub(super) fn in_own_words(mechanism: &Description, name: &str) -> String {
     let name = name.to_lowercase();
-    let words = name.split(|c: char| c.is_whitespace() || "_-()".contains(c));
-    let words = words.filter(|word| !word.is_empty()).flat_map(plain);
-    let mut words: Vec<&str> = words.filter(|word| !is_unsaid(mechanism, word)).collect();
+    let plain = words(&name).flat_map(plain);
+    let mut words: Vec<&str> = plain.filter(|word| !is_unsaid(mechanism, word)).collect();
     let mut entries = OF_RIGS.iter();
     let entry = entries.find(|(of_rig, _)| of_rig.iter().all(|word| words.contains(word)));
     if let Some((of_rig, own)) = entry {
@@ -68,6 +69,11 @@ pub(super) fn in_own_words(mechanism: &Description, name: &str) -> String {
         }
     }
     words.join("_")
+}
+
+fn words(name: &str) -> impl Iterator<Item = &str> {
+    let words = name.split(|c: char| c.is_whitespace() || "_-()".contains(c));
+    words.filter(|word| !word.is_empty())
 }
 
 /// Returns what one word of a rig means: corners and sides are often codes.
@@ -126,6 +132,17 @@ pub(super) fn is_of_other_axle(mechanism: &Description, name: &str) -> bool {
     let name = in_own_words(mechanism, name);
     let says = |end: &str| name.split('_').any(|word| word == end);
     (says("front") && all_are(Axle::Rear)) || (says("rear") && all_are(Axle::Front))
+}
+
+/// Says that a name is of toe with the opposite sign.
+pub(super) fn opposite(name: &str) -> Option<String> {
+    let lower = name.to_lowercase();
+    let has = |wanted: &str| words(&lower).any(|word| word == wanted);
+    let message = format!(
+        "`{name}` has the opposite sign of `toe`, which is positive if the front of the wheel points inboard: change the signs \
+         and call it `toe`; a column whose heading is empty is left out"
+    );
+    (has("toe") && has("out")).then_some(message)
 }
 
 /// Whether a name is of the wheel on the other side, which the model does not have.
