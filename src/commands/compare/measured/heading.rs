@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use suspension_listing::did_you_mean::mistyped;
 
-use super::rig_names::{in_own_words, opposite};
+use super::rig_names::{in_own_words, toe_out};
 use crate::characteristics::{
     Title, as_in_tables, columns_of_positions, not_of_this, suggest_for_wheels,
 };
@@ -129,7 +129,7 @@ impl Named {
             Some(found) => Ok(Some(Self::new(mechanism, found))),
             None => unsteered(mechanism, &as_in_tables(name))
                 .or_else(|| unsteered(mechanism, &in_own_words))
-                .or_else(|| opposite(name))
+                .or_else(|| toe_out(name))
                 .or_else(|| meant(mechanism, &known, name, &in_own_words))
                 .map_or(Ok(None), Err),
         }

@@ -134,15 +134,16 @@ pub(super) fn is_of_other_axle(mechanism: &Description, name: &str) -> bool {
     (says("front") && all_are(Axle::Rear)) || (says("rear") && all_are(Axle::Front))
 }
 
-/// Says that a name is of toe with the opposite sign.
-pub(super) fn opposite(name: &str) -> Option<String> {
+/// Says that a name is of toe-out, which is toe with the opposite sign.
+pub(super) fn toe_out(name: &str) -> Option<String> {
     let lower = name.to_lowercase();
     let has = |wanted: &str| words(&lower).any(|word| word == wanted);
-    let message = format!(
-        "`{name}` has the opposite sign of `toe`, which is positive if the front of the wheel points inboard: change the signs \
-         and call it `toe`; a column whose heading is empty is left out"
-    );
-    (has("toe") && has("out")).then_some(message)
+    (has("toe") && has("out")).then(|| {
+        format!(
+            "`{name}` has the opposite sign of `toe`, which is positive if the front of the wheel points inboard: change the \
+             signs and call it `toe`; a column whose heading is empty is left out"
+        )
+    })
 }
 
 /// Whether a name is of the wheel on the other side, which the model does not have.
