@@ -11,4 +11,4 @@ pub use likely::likely;
 pub use path::positions;
 
 /// The number of unknowns above which sampling would hold up a compiler.
-pub(crate) const MOST_SAMPLED: usize = 60;
+pub(crate) const MOST_SAMPLED: usize = 120;

@@ -7,7 +7,7 @@ use suspension_core::solve::assemble;
 
 use crate::model::Model;
 use crate::site::{Site, Sites};
-use crate::size::{Few, Room, Size};
+use crate::size::{Chassis, Room, Size};
 use crate::table::Table;
 
 impl<T: Real, const N: usize> Model<'_, T, N>
@@ -15,7 +15,7 @@ where
     Room<N>: Size,
 {
     /// The guess `q` with each body, and each cluster of links, moved to where it fits best.
-    pub(crate) fn fit(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
+    pub(crate) fn fit(&self, q: &SVector<T, N>, fixed: &Chassis<T, N>) -> SVector<T, N> {
         let plan = self.plan();
         let mut q = *q;
         let mut carried = self.carried.as_slice().iter();
@@ -46,7 +46,7 @@ where
 /// Moves the free points of a rigid shape (the sites of a frame and others) to where it fits `q` best.
 fn fit<T: Real, const N: usize>(
     q: &mut SVector<T, N>,
-    fixed: &Few<Vector3<T>, N>,
+    fixed: &Chassis<T, N>,
     of_frame: [Site; 3],
     frame: &Frame<T>,
     others: impl Iterator<Item = (Site, Vector3<T>)>,

@@ -10,7 +10,7 @@ use suspension_core::{GeometryError, Real, Values, model::parts};
 use crate::fitted::Fitted;
 use crate::model::Model;
 use crate::site::Site;
-use crate::size::{Few, Points, Room, Size, Unknowns};
+use crate::size::{Chassis, Few, Points, Room, Size, Unknowns};
 use crate::table::Table;
 
 impl<'l, T: Real, const N: usize> Model<'l, T, N>
@@ -23,7 +23,7 @@ where
     ) -> Result<Self, GeometryError> {
         let plan = listing.plan();
         let chassis = design.as_slice().iter().take(plan.chassis.into());
-        let fixed = Few::<_, N>::from_values(chassis.copied());
+        let fixed = Chassis::<_, N>::from_values(chassis.copied());
         let model = Self::with_chassis(listing, fixed);
         parts::finite(model.points_of(design))?;
         let bodies = model.forms().bodies.iter();

@@ -17,7 +17,7 @@ use crate::form::{Prescribed, Walked};
 use crate::model::Model;
 use crate::plan::Length;
 use crate::site::{Site, Sites};
-use crate::size::{Few, Points, Room, Size};
+use crate::size::{Chassis, Few, Points, Room, Size};
 use crate::table::{Table, index, put, put_three};
 
 pub use rates::AlongDrive;
@@ -31,7 +31,7 @@ where
     /// The unknowns.
     pub free: SVector<T, N>,
     /// The chassis points.
-    pub chassis: Few<Vector3<T>, N>,
+    pub chassis: Chassis<T, N>,
 }
 
 /// A model whose design changes, at a position that solves its equations.
@@ -99,7 +99,7 @@ where
         }
     }
 
-    fn sites(&self) -> Sites<'_, T, Few<Vector3<T>, N>> {
+    fn sites(&self) -> Sites<'_, T, Chassis<T, N>> {
         Sites::new(self.free.as_slice(), &self.chassis)
     }
 

@@ -9,7 +9,7 @@ use suspension_core::{Real, Scalar, Signal, Values};
 use crate::model::Model;
 use crate::plan::{Drive, Measure};
 use crate::quantity::{coordinate, coordinate_mut, measured, sum};
-use crate::size::{Few, Points, Room, Size};
+use crate::size::{Chassis, Few, Points, Room, Size};
 use crate::table::Table;
 
 impl<T: Scalar, const N: usize> Model<'_, T, N>
@@ -41,7 +41,7 @@ where
     }
 
     #[inline(always)]
-    pub(crate) fn put_drives(&self, fixed: &mut Few<Vector3<T>, N>, drives: &Few<T, N>) {
+    pub(crate) fn put_drives(&self, fixed: &mut Chassis<T, N>, drives: &Few<T, N>) {
         for (place, drive) in (0..).zip(&self.plan().drives) {
             let Some(point) = drive.moves else {
                 continue;

@@ -1,13 +1,13 @@
 //! The equations and their derivatives, walked.
 
-use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 use suspension_core::Scalar;
 
 use crate::form::{Entries, Walked, walk};
 use crate::model::Model;
 use crate::plan::place_in_matrix;
 use crate::site::{Inputs, Sites};
-use crate::size::{Few, Room, Size};
+use crate::size::{Chassis, Few, Room, Size};
 use crate::table::Table;
 
 impl<T: Scalar, const N: usize> Model<'_, T, N>
@@ -20,7 +20,7 @@ where
         &self,
         rows: &mut [T; N],
         q: &SVector<T, N>,
-        fixed: &Few<Vector3<T>, N>,
+        fixed: &Chassis<T, N>,
         drives: &Few<T, N>,
     ) {
         let at = Sites::new(q.as_slice(), fixed).with(drives.as_slice());
@@ -31,11 +31,8 @@ where
         });
     }
 
-    pub(crate) fn jacobian(
-        &self,
-        q: &SVector<T, N>,
-        fixed: &Few<Vector3<T>, N>,
-    ) -> SMatrix<T, N, N> {
+    #[inline(always)]
+    pub(crate) fn jacobian(&self, q: &SVector<T, N>, fixed: &Chassis<T, N>) -> SMatrix<T, N, N> {
         let at = Sites::new(q.as_slice(), fixed);
         let mut matrix = SMatrix::from_array_storage(ArrayStorage([[T::zero(); N]; N]));
         let mut entries = Whole(&mut matrix);
@@ -59,9 +56,9 @@ where
         &self,
         rows: &mut [T; N],
         v: &SVector<T, N>,
-        v_fixed: &Few<Vector3<T>, N>,
+        v_fixed: &Chassis<T, N>,
         w: &SVector<T, N>,
-        w_fixed: &Few<Vector3<T>, N>,
+        w_fixed: &Chassis<T, N>,
     ) {
         let (v, w) = (
             Sites::new(v.as_slice(), v_fixed),
@@ -79,8 +76,8 @@ where
         &self,
         rows: &mut [T; N],
         q: &SVector<T, N>,
-        fixed: &Few<Vector3<T>, N>,
-        fixed_rate: &Few<Vector3<T>, N>,
+        fixed: &Chassis<T, N>,
+        fixed_rate: &Chassis<T, N>,
         drive_rate: Option<&Few<T, N>>,
     ) {
         let inputs = Inputs {

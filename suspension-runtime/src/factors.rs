@@ -11,7 +11,7 @@ use crate::form::{Walked, walk};
 use crate::model::Model;
 use crate::plan::{Plan, ZERO};
 use crate::site::Sites;
-use crate::size::{Few, Room, Size};
+use crate::size::{Chassis, Few, Room, Size};
 use crate::table::Table;
 
 /// The Jacobian, factored as `L D U` in the order of the listing.
@@ -35,11 +35,7 @@ where
 {
     /// The assembled and eliminated factors.
     #[inline(always)]
-    pub(crate) fn factor(
-        &self,
-        q: &SVector<T, N>,
-        fixed: &Few<Vector3<T>, N>,
-    ) -> Factors<'l, T, N> {
+    pub(crate) fn factor(&self, q: &SVector<T, N>, fixed: &Chassis<T, N>) -> Factors<'l, T, N> {
         let mut factors = Factors {
             plan: self.plan(),
             numbers: Default::default(),
@@ -59,7 +55,7 @@ where
     /// Assembles and eliminates in place, because factors that a call returns are copied. It is not inlined,
     /// otherwise its 15 kB would be in every caller, for each size.
     #[inline(never)]
-    fn fill(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+    fn fill(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Chassis<T, N>) {
         self.assemble(model, q, fixed);
         self.reduce(q, fixed);
         self.eliminate();
@@ -67,7 +63,7 @@ where
 
     /// Writes the entries of the Jacobian that are not always zero.
     #[inline(always)]
-    fn assemble(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+    fn assemble(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Chassis<T, N>) {
         let (plan, numbers) = (self.plan, &mut self.numbers);
         let sites = Sites::new(q.as_slice(), fixed);
         // Fill-in starts at a zero that leaves no trace in a difference, not even in its sign.
@@ -82,7 +78,7 @@ where
 
     /// Makes rows that depend on carried points depend on their frames instead.
     #[inline(always)]
-    fn reduce(&mut self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+    fn reduce(&mut self, q: &SVector<T, N>, fixed: &Chassis<T, N>) {
         let (plan, numbers) = (self.plan, &mut self.numbers);
         let sites = Sites::new(q.as_slice(), fixed);
         for carrier in &plan.elimination.carriers {

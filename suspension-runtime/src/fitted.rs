@@ -82,6 +82,8 @@ impl Listing {
             work.on(listing)
         } else if let Some(listing) = self.fitted::<30>() {
             work.on(listing)
+        } else if let Some(listing) = self.fitted::<60>() {
+            work.on(listing)
         } else {
             // Larger listings are refused when they are read.
             work.on(Fitted::<LARGEST>(self))

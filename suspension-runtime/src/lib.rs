@@ -31,8 +31,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The number in `corner::<15>` is the capacity for unknowns: 15, 30 or 60, see [`Size`]. [`Listing::size`] returns the
-//! number of unknowns of a listing; 60 is enough for any. A failure borrows the listing to name its parts: to return it from
+//! The number in `corner::<15>` is the capacity for unknowns: 15, 30, 60 or 120, see [`Size`]. [`Listing::size`] returns the
+//! number of unknowns of a listing; 120 is enough for any. A failure borrows the listing to name its parts: to return it from
 //! the function that owns the listing, convert it to text as above.
 //!
 //! A struct that keeps corners for as long as the program runs takes them from a listing that is never freed. Its failures

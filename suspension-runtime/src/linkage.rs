@@ -10,7 +10,7 @@ use crate::factors::Factors;
 use crate::fitted::Fitted;
 use crate::model::Model;
 use crate::site::Sites;
-use crate::size::{Few, Lengths, Points, Room, Size};
+use crate::size::{Chassis, Few, Lengths, Points, Room, Size};
 use crate::table::Table;
 
 impl<'l, const N: usize> suspension_core::Listing<N> for Fitted<'l, N>
@@ -18,7 +18,7 @@ where
     Room<N>: Size,
 {
     type Model<T: Scalar> = Model<'l, T, N>;
-    type Fixed<T: Scalar> = Few<Vector3<T>, N>;
+    type Fixed<T: Scalar> = Chassis<T, N>;
     type Drives<T: Scalar> = Few<T, N>;
     type Measures<T: Scalar> = Few<T, N>;
     type Points<T: Scalar> = Points<Vector3<T>, N>;
@@ -37,7 +37,7 @@ where
 {
     type Scalar = T;
     type Listing = Fitted<'l, N>;
-    type Fixed = Few<Vector3<T>, N>;
+    type Fixed = Chassis<T, N>;
     type Drives = Few<T, N>;
     type Measures = Few<T, N>;
     type Points = Points<Vector3<T>, N>;

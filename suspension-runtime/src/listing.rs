@@ -30,7 +30,7 @@ impl Listing {
     ///
     /// # Errors
     ///
-    /// All mistakes, including those of size: see [`Size`](crate::Size) for the room in models of 60 unknowns.
+    /// All mistakes, including those of size: see [`Size`](crate::Size) for the room in models of 120 unknowns.
     pub fn parse(text: &str) -> Result<Self, Mistakes> {
         Self::parse_with(text, "listing", &CatalogueAndFiles::default())
     }

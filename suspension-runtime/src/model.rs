@@ -1,6 +1,5 @@
 //! The geometry of a listing.
 
-use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::generated::gather_vector;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
@@ -12,7 +11,7 @@ use suspension_core::model::handedness::Linked;
 use crate::fitted::Fitted;
 use crate::form::Forms;
 use crate::plan::Plan;
-use crate::size::{Few, Room, Size, Unknowns};
+use crate::size::{Chassis, Few, Room, Size, Unknowns};
 use crate::table::{Table, Value};
 
 /// Lists the tables of constants: what each is for, how many of them a plan has, and what these are called.
@@ -25,7 +24,7 @@ macro_rules! model {
             Room<N>: Size,
         {
             pub(crate) listing: Fitted<'l, N>,
-            pub(crate) fixed: Few<Vector3<T>, N>,
+            pub(crate) fixed: Chassis<T, N>,
             pub(crate) size: T,
             $($(#[$doc])* pub(crate) $table: $room<$constant<T>, N>,)*
         }
@@ -35,7 +34,7 @@ macro_rules! model {
             Room<N>: Size,
         {
             /// A model whose constants are yet to be found.
-            pub(crate) fn with_chassis(listing: Fitted<'l, N>, fixed: Few<Vector3<T>, N>) -> Self {
+            pub(crate) fn with_chassis(listing: Fitted<'l, N>, fixed: Chassis<T, N>) -> Self {
                 Self { listing, fixed, size: T::zero(), $($table: Default::default(),)* }
             }
 

@@ -8,7 +8,7 @@ use crate::equations::rows;
 use crate::form::{Walked, walk};
 use crate::model::Model;
 use crate::site::{Site, Sites};
-use crate::size::{Few, Points, Room, Size};
+use crate::size::{Chassis, Points, Room, Size};
 use crate::table::Table;
 
 impl<T: Scalar, const N: usize> Model<'_, T, N>
@@ -19,7 +19,7 @@ where
     pub(crate) fn all_points(
         &self,
         q: &SVector<T, N>,
-        fixed: &Few<Vector3<T>, N>,
+        fixed: &Chassis<T, N>,
         marker: impl Fn(&Carried<T>, [Site; 3], &Frame<T>) -> Vector3<T>,
     ) -> Points<Vector3<T>, N> {
         let plan = self.plan();
@@ -48,7 +48,7 @@ where
     pub(crate) fn carry_forces(
         &self,
         q: &SVector<T, N>,
-        fixed: &Few<Vector3<T>, N>,
+        fixed: &Chassis<T, N>,
         forces: &mut Points<Vector3<T>, N>,
     ) {
         let plan = self.plan();
@@ -88,12 +88,12 @@ where
             (*x, *y, *z) = (point.x, point.y, point.z);
         }
         let chassis = points.values().take(plan.chassis.into());
-        self.put_scalars(&mut q, &Few::<_, N>::from_values(chassis));
+        self.put_scalars(&mut q, &Chassis::<_, N>::from_values(chassis));
         q
     }
 
     /// Sets the unknowns that are not coordinates.
-    pub(crate) fn put_scalars(&self, q: &mut SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+    pub(crate) fn put_scalars(&self, q: &mut SVector<T, N>, fixed: &Chassis<T, N>) {
         let q = rows(q);
         walk!(self.forms(), all(), self, |form, constant| {
             form.put_scalars(constant, q, fixed)

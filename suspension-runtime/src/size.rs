@@ -1,24 +1,30 @@
 //! The sizes in which models are made: arrays on the stack, with room to spare in all but the largest
 //! listings.
 
+use nalgebra::Vector3;
+use suspension_listing::text::MOST_UNKNOWNS;
+
 use crate::table::{Masked, Table, Value};
 
 /// Room for `N` unknowns: see [`Size`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Room<const N: usize>;
 
-/// The unknowns of the largest size.
-pub(crate) const LARGEST: usize = 60;
+/// The unknowns of the largest size, which has room for any listing that is read.
+pub(crate) const LARGEST: usize = MOST_UNKNOWNS;
 
-/// The room in a model of a size. There are three sizes: `Room<15>`, `Room<30>`, `Room<60>`.
+/// The room in a model of a size. There are four sizes: `Room<15>`, `Room<30>`, `Room<60>`, `Room<120>`.
 ///
-/// | unknowns | chassis points, drives, measures, markers, bodies, carried points, each | lengths | numbers of the factored Jacobian |
-/// | --- | --- | --- | --- |
-/// | 15 | 8 | 64 | 126 |
-/// | 30 | 16 | 128 | 254 |
-/// | 60 | 32 | 256 | 1022 |
+/// | unknowns | chassis points | drives, measures, markers, bodies, carried points, each | lengths | numbers of the factored Jacobian |
+/// | --- | --- | --- | --- | --- |
+/// | 15 | 8 | 8 | 64 | 126 |
+/// | 30 | 16 | 16 | 128 | 254 |
+/// | 60 | 32 | 32 | 256 | 1022 |
+/// | 120 | 64 | 32 | 256 | 2046 |
 pub trait Size: Value {
-    /// A few values: chassis points, drives and the like.
+    /// A value for each chassis point.
+    type Chassis<V: Value>: Table<V>;
+    /// A few values: drives, measures, markers and the like.
     type Few<V: Value>: Table<V>;
     /// A value for each unknown, and one more.
     type Unknowns<V: Value>: Table<V>;
@@ -31,8 +37,9 @@ pub trait Size: Value {
 }
 
 macro_rules! sizes {
-    ($($unknowns:literal: $few:literal, $places:literal, $points:literal, $lengths:literal, $numbers:literal;)*) => {
+    ($($unknowns:literal: $chassis:literal, $few:literal, $places:literal, $points:literal, $lengths:literal, $numbers:literal;)*) => {
         $(impl Size for Room<$unknowns> {
+            type Chassis<V: Value> = Masked<V, $chassis>;
             type Few<V: Value> = Masked<V, $few>;
             type Unknowns<V: Value> = Masked<V, $places>;
             type Points<V: Value> = Masked<V, $points>;
@@ -43,10 +50,14 @@ macro_rules! sizes {
 }
 
 sizes! {
-    15: 8, 16, 32, 64, 128;
-    30: 16, 32, 64, 128, 256;
-    60: 32, 64, 128, 256, 1024;
+    15: 8, 8, 16, 32, 64, 128;
+    30: 16, 16, 32, 64, 128, 256;
+    60: 32, 32, 64, 128, 256, 1024;
+    120: 64, 32, 128, 128, 256, 2048;
 }
+
+/// The chassis points of a model of `N` unknowns, or their rates.
+pub(crate) type Chassis<T, const N: usize> = <Room<N> as Size>::Chassis<Vector3<T>>;
 
 /// A few values in a model of `N` unknowns.
 pub(crate) type Few<V, const N: usize> = <Room<N> as Size>::Few<V>;

@@ -45,6 +45,7 @@ fn a_guess_leads_to_the_same_assembly_at_every_model_capacity() {
             in_room::<15>(&listing, &off),
             in_room::<30>(&listing, &off),
             in_room::<60>(&listing, &off),
+            in_room::<120>(&listing, &off),
         ];
         for other in all {
             let apart = match (expected, other) {

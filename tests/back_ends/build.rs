@@ -13,7 +13,7 @@ mod random;
 const FREE: usize = 3;
 const COUNT: &str = "SUSPENSION_RANDOM_LISTINGS";
 /// Unknowns that models read at run time have room for.
-const ROOMS: [usize; 3] = [15, 30, 60];
+const ROOMS: [usize; 4] = [15, 30, 60, 120];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=random.rs");

@@ -4,6 +4,7 @@
 mod assembled;
 mod at_a_lock;
 mod back_ends;
+mod car;
 mod compiled;
 #[path = "../counting/mod.rs"]
 mod counting;

@@ -213,7 +213,7 @@ impl<'a, L: Build<N, Scalar = f64> + Copy, const N: usize> At<'a, L, N> {
         let x = self.change();
         let tolerance = 1e-13 * growth * growth.max(10.0);
         all_close("a solution", &factors.solve(&(jacobian * x)), &x, tolerance);
-        let transposed = factors.solve_transposed(&(jacobian.transpose() * x));
+        let transposed = factors.solve_transposed(&jacobian.tr_mul(&x));
         all_close("a transposed solution", &transposed, &x, tolerance);
         all_close(
             "a dense solution",

@@ -4,32 +4,34 @@ use std::thread;
 
 use suspension_core::path::{Continuation, Curve};
 use suspension_core::{Inputs, Signal, Values};
-use suspension_runtime::Listing;
+use suspension_runtime::{Listing, Room, Size};
 
-/// Both corners of an axle.
+/// Both corners of an axle: 60 unknowns.
 const AXLE: &str = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
-const UNKNOWNS: usize = 60;
+
+/// The four corners of a car: 108 unknowns.
+const CAR: &str = "mirror: left -> right;
+include front_left: double_wishbone_pushrod;
+include rear_left: double_wishbone_pushrod at [-2.6, 0.0, 0.0];";
 
 /// The stack that a thread takes for itself, in bytes.
 const THREAD: usize = 64 * 1024;
 
 /// Does it in a thread whose stack has so many bytes for each entry of the Jacobian; it ends the process where that is too little.
-fn with_stack(bytes: usize, work: impl FnOnce() + Send + 'static) {
-    let size = bytes * UNKNOWNS * UNKNOWNS + THREAD;
+fn with_stack<const N: usize>(bytes: usize, work: impl FnOnce() + Send + 'static) {
+    let size = bytes * N * N + THREAD;
     let thread = thread::Builder::new().stack_size(size).spawn(work);
     thread.expect("a thread").join().expect("no panic");
 }
 
-fn axle() -> Listing {
-    Listing::parse(AXLE).expect("a listing")
-}
-
-#[test]
-fn a_refused_step_takes_100_bytes_of_stack_per_jacobian_entry() {
-    let listing = axle();
-    with_stack(100, move || {
+fn refuse_a_step<const N: usize>(text: &str)
+where
+    Room<N>: Size,
+{
+    let listing = Listing::parse(text).expect("a listing");
+    with_stack::<N>(100, move || {
         let mut corner = listing
-            .corner::<UNKNOWNS>(&listing.design().expect("points"))
+            .corner::<N>(&listing.design().expect("points"))
             .expect("a corner");
         let drives = corner.drives();
         corner
@@ -40,12 +42,14 @@ fn a_refused_step_takes_100_bytes_of_stack_per_jacobian_entry() {
     });
 }
 
-#[test]
-fn following_a_curve_takes_200_bytes_of_stack_per_jacobian_entry() {
-    let listing = axle();
-    with_stack(200, move || {
+fn follow_a_curve<const N: usize>(text: &str)
+where
+    Room<N>: Size,
+{
+    let listing = Listing::parse(text).expect("a listing");
+    with_stack::<N>(200, move || {
         let corner = listing
-            .corner::<UNKNOWNS>(&listing.design().expect("points"))
+            .corner::<N>(&listing.design().expect("points"))
             .expect("a corner");
         let inputs = Inputs::still(Signal::still(corner.drives()));
         let curve = Curve::new(corner.model(), &inputs, 0).expect("a drive");
@@ -57,6 +61,18 @@ fn following_a_curve_takes_200_bytes_of_stack_per_jacobian_entry() {
             .count();
         assert!(steps > 2, "{steps}");
     });
+}
+
+#[test]
+fn a_refused_step_takes_100_bytes_of_stack_per_jacobian_entry() {
+    refuse_a_step::<60>(AXLE);
+    refuse_a_step::<120>(CAR);
+}
+
+#[test]
+fn following_a_curve_takes_200_bytes_of_stack_per_jacobian_entry() {
+    follow_a_curve::<60>(AXLE);
+    follow_a_curve::<120>(CAR);
 }
 
 /// Two points on links: few unknowns in a model with room for fifteen.

@@ -99,7 +99,7 @@ where
         }
         // The choice with the healthiest pivots is sure to be regular.
         let mut best = self.linear(at, N);
-        for parameter in 0..N {
+        for parameter in 0..self.linkage.count(Kind::Unknown) {
             best = match (best, self.linear(at, parameter)) {
                 (Ok(best), Ok(next)) if best.growth_squared() <= next.growth_squared() => Ok(best),
                 (_, Ok(next)) => Ok(next),

@@ -121,7 +121,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
     }
 
-    /// Subtracts multiples of row `k` from the rows below it.
+    /// Subtracts multiples of row `k` from the rows below it, in the columns in which it is not zero: few of a Jacobian's.
     fn eliminate_below(&mut self, k: usize) {
         let mut columns = self.columns.iter_mut().skip(k);
         let Some(pivot_column) = columns.next() else {
@@ -133,7 +133,9 @@ impl<T: Real, const N: usize> Lu<T, N> {
         let inverse = T::one() / *pivot;
         below.for_each(|entry| *entry *= inverse);
         for column in columns {
-            subtract_multiple(column, pivot_column, k);
+            if column.get(k).is_some_and(|entry| *entry != T::zero()) {
+                subtract_multiple(column, pivot_column, k);
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-//! The limits of a text read at run time: large enough for any corner of a vehicle, and small enough that
+//! The limits of a text read at run time: large enough for a car with any four corners of the catalogue, and small enough that
 //! no text takes long or much memory.
 
 use std::fmt::Display;
@@ -16,7 +16,7 @@ pub const MOST_STATEMENTS: usize = 256;
 pub const MOST_POINTS: usize = 128;
 
 /// The largest number of unknowns.
-pub const MOST_UNKNOWNS: usize = 60;
+pub const MOST_UNKNOWNS: usize = 120;
 
 /// Refuses a text that is too long.
 pub(super) fn length(text: &str) -> Result<(), Mistake> {

@@ -21,10 +21,10 @@ fn a_listing_beyond_the_limits_of_size_is_refused() {
     };
     let many = format!("fixed: {};\nfree: p;", points(128));
     assert!(only_message(&many).starts_with("129 points; at most 128 are allowed"));
-    let unknowns = format!("fixed: a;\nfree: {};", points(21));
+    let unknowns = format!("fixed: a;\nfree: {};", points(41));
     assert_eq!(
         only_message(&unknowns),
-        "at least 63 unknowns; at most 60 are allowed in a listing read at run time: state parts that do not meet, as two corners or two \
+        "at least 123 unknowns; at most 120 are allowed in a listing read at run time: state parts that do not meet, as two corners or two \
          axles, in listings of their own, or write it with `linkage!`, which has no such limit"
     );
     let names = format!("fixed: a; free: p; body long: {};", points(129));
@@ -37,7 +37,7 @@ fn a_listing_beyond_the_limits_of_size_is_refused() {
 #[test]
 fn for_too_many_unknowns_points_that_may_be_markers_are_named() {
     let text = |body: &str| {
-        let names: Vec<String> = (0..17).map(|index| format!("p{index}")).collect();
+        let names: Vec<String> = (0..37).map(|index| format!("p{index}")).collect();
         format!(
             "fixed: a;\nfree: b, c, d, e, {};\nlink rod: a -> b;\n{body}\npoint tip: c, b, p0;\n\
              measure gauge: length(a -> d);",

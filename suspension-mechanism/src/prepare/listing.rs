@@ -71,13 +71,13 @@ impl ChosenListing {
         })
     }
 
-    /// The mechanism, in one of two sizes. A third size between them would walk listings of 16 to 30 unknowns a sixth
-    /// faster, and take a fifth of the build time of this crate.
+    /// The mechanism, in one of two sizes. A third size of 60 unknowns would walk listings of 16 to 60 a sixth faster,
+    /// and take a fifth of the build time of this crate.
     pub(super) fn kinematics(
         &self,
         request: Request<'_>,
     ) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        match (self.listing.fitted::<15>(), self.listing.fitted::<60>()) {
+        match (self.listing.fitted::<15>(), self.listing.fitted::<120>()) {
             (Some(listing), _) => self.prepared(request, listing),
             (None, Some(listing)) => self.prepared(request, listing),
             (None, None) => Err(Failure::Input(format!("`{}` is too large", self.name))),

@@ -8,7 +8,7 @@ use super::{DesignChange, Start, Unknowns};
 use crate::form::{Bilinear, Prescribed};
 use crate::model::Model;
 use crate::site::{Site, Sites, three};
-use crate::size::{Few, Room, Size};
+use crate::size::{Chassis, Few, Room, Size};
 use crate::table::Table;
 
 /// Derivatives with respect to a drive.
@@ -161,7 +161,7 @@ where
     pub(super) fn scale_term(
         &self,
         bilinear: &Bilinear,
-        along: &Sites<'_, T, Few<Vector3<T>, N>>,
+        along: &Sites<'_, T, Chassis<T, N>>,
     ) -> Option<T> {
         Some(self.scales.get(bilinear.constant) * along.scalar(bilinear.unknown()?)?)
     }

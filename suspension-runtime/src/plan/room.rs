@@ -19,13 +19,14 @@ impl Plan {
     where
         Room<N>: Size,
     {
+        let chassis = <<Room<N> as Size>::Chassis<u16> as Table<u16>>::ROOM;
         let few = <Few<u16, N> as Table<u16>>::ROOM;
         let lengths = <Lengths<u16, N> as Table<u16>>::ROOM;
         // Two places have another use.
         let numbers = <<Room<N> as Size>::Numbers<u16> as Table<u16>>::ROOM - 2;
         let counts = [
             (self.unknowns.into(), N, "unknowns"),
-            (self.chassis.into(), few, "chassis points"),
+            (self.chassis.into(), chassis, "chassis points"),
             (self.drives.len(), few, "drives"),
             (self.measures.len(), few, "measures"),
         ];
