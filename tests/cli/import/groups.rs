@@ -62,6 +62,27 @@ fn a_row_may_have_the_four_corners_of_a_vehicle() {
 }
 
 #[test]
+fn the_columns_of_two_sides_may_have_letters() {
+    let folder = folder();
+    let sides = |[x, y, z]: [f64; 3]| format!("{x};{y};{z};{x};{};{z}", -y);
+    let rows = CORNER.iter().zip(IN_OUR_AXES);
+    let rows = rows.map(|((name, _), (_, at))| format!("{name};{}\n", sides(at)));
+    let rows: String = rows.collect();
+    for heading in [
+        "Point;X_L;Y_L;Z_L;X_R;Y_R;Z_R",
+        "Point;XL;YL;ZL;XR;YR;ZR",
+        "Point;x L [mm];y L [mm];z L [mm];x R [mm];y R [mm];z R [mm]",
+        "Point;L;;;R;;\n;x;y;z;x;y;z",
+    ] {
+        for (side, sign) in [("left", 1.0), ("right", -1.0)] {
+            let file = format!("{heading}\n{rows}");
+            let imported = import(folder.path(), "a.csv", &file, &["--side", side]);
+            assert_corner(&imported, [0.0, sign], &format!("{side}: {heading}"));
+        }
+    }
+}
+
+#[test]
 fn groups_that_are_not_told_apart_are_refused_by_their_heading() {
     let rows = cars(|name, corners| format!("{name};{}\n", corners.join(";")));
     let axes = ";x;y;z;x;y;z;x;y;z;x;y;z\n";

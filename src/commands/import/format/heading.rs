@@ -39,6 +39,26 @@ fn is_of_axle(word: &str) -> bool {
 const OF_COLUMNS: &str = "\
     point points name hardpoint hardpoints side hand wheel corner axle suspension mass kg remark remarks comment comments";
 
+/// Returns the words of a heading with the axis of a column apart from its corner: `x_l` for `xl`.
+pub(super) fn with_axes_apart(words: &str) -> String {
+    let apart = words.split('_').map(|word| {
+        let corner = word.strip_prefix(['x', 'y', 'z']);
+        let corner = corner.filter(|corner| group_of_word(corner).is_some());
+        corner.map_or(word.to_owned(), |corner| format!("{}_{corner}", &word[..1]))
+    });
+    apart.collect::<Vec<_>>().join("_")
+}
+
+/// Returns what a word above columns says of their corner; there a letter is a side.
+fn group_of_word(word: &str) -> Option<Section> {
+    let side = match word {
+        "l" => Side::Left,
+        "r" => Side::Right,
+        _ => return Section::of_word(word),
+    };
+    Some(Section::default().below(None, Some(side)))
+}
+
 /// Returns the corners of groups of columns, such as `Left` and `Right`, `Front x, y, z` and `Rear x, y, z`, or the four corners.
 /// The groups `above` may each stand over several, as `Front` and `Rear` over `Left`, `Right`, `Left`, `Right`.
 pub(super) fn column_groups(words: &[&str], above: &[Section]) -> Option<Vec<Section>> {
@@ -47,7 +67,7 @@ pub(super) fn column_groups(words: &[&str], above: &[Section]) -> Option<Vec<Sec
         is_axis || is_one_of(word, OF_COLUMNS) || unit(word).is_some()
     };
     let corners = words.iter().filter(|word| !is_other(word));
-    let said: Option<Vec<Section>> = corners.map(|word| Section::of_word(word)).collect();
+    let said: Option<Vec<Section>> = corners.map(|word| group_of_word(word)).collect();
     let mut said = said?;
     said.dedup();
     let mut groups: Vec<Section> = Vec::new();

@@ -17,6 +17,7 @@ use std::ops::Range;
 use super::add_row::add;
 use super::heading::{
     check_columns, column_groups, end_of_heading, side_of_heading, units_of_heading,
+    with_axes_apart,
 };
 use super::lines::lines_with_tabs;
 use super::row::Row;
@@ -111,7 +112,8 @@ impl Table<'_, '_> {
         }
         self.read_row(&mut row, line, section)?;
         if row.numbers().is_empty() || row.is_title() {
-            self.read_heading(&row, &self.names.heading_in_english(&spelled(line)))?;
+            let words = with_axes_apart(&spelled(line));
+            self.read_heading(&row, &self.names.heading_in_english(&words))?;
             self.columns = CoordinateColumns::of_heading(line).or(take(&mut self.columns));
         }
         Ok(())

@@ -1,6 +1,7 @@
 //! The columns of coordinates where a heading says which they are, among other columns of numbers.
 
 use crate::commands::import::format::fields::{BETWEEN_COLUMNS, is_number};
+use crate::commands::import::format::heading::with_axes_apart;
 use crate::commands::import::spelling::spelled;
 use crate::vehicle_corner::Section;
 
@@ -18,7 +19,10 @@ impl CoordinateColumns {
     /// Returns the columns that a heading names; `None` if it names none.
     pub(super) fn of_heading(line: &str) -> Option<Self> {
         let mut found = BETWEEN_COLUMNS.into_iter().filter_map(|separator| {
-            let cells: Vec<String> = line.split(separator).map(spelled).collect();
+            let cells: Vec<String> = line
+                .split(separator)
+                .map(|cell| with_axes_apart(&spelled(cell)))
+                .collect();
             let is = |column: usize, axis: &str| {
                 let cell = cells.get(column);
                 cell.is_some_and(|cell| cell.split('_').any(|word| word == axis))
