@@ -9,6 +9,10 @@ use crate::error::SolveError;
 use crate::linkage::Factors;
 use crate::listing::Part;
 
+/// The unknowns above which most columns of a Jacobian are zero in a row: elimination looks for them. It is not worth its
+/// code on a controller for fewer.
+const SMALL: usize = 30;
+
 /// The factors of an `N x N` matrix.
 ///
 /// Columns are stored contiguously: `L` below the diagonal (without its diagonal of ones), `U` on and above it.
@@ -75,9 +79,10 @@ impl<T: Real, const N: usize> Lu<T, N> {
     ///
     /// [`SolveError::Singular`], and [`SolveError::NotFinite`] if an entry is not finite.
     pub(crate) fn eliminate_jacobian(&mut self, threshold: T) -> Result<(), SolveError<T>> {
-        let mut entries = self.columns.as_flattened().iter();
-        if let Some(place) = entries.position(|entry| !entry.is_finite()) {
-            return Err(SolveError::not_finite(place % N));
+        for column in &self.columns {
+            if let Some(equation) = column.iter().position(|entry| !entry.is_finite()) {
+                return Err(SolveError::not_finite(equation));
+            }
         }
         self.eliminate()?;
         let (unknown, pivot) = self.smallest;
@@ -120,23 +125,21 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
     }
 
-    /// Subtracts multiples of row `k` from the rows below it, in the columns in which it is not zero: few of a Jacobian's.
+    /// Subtracts multiples of row `k` from the rows below it.
     fn eliminate_below(&mut self, k: usize) {
         let mut columns = self.columns.iter_mut().skip(k);
-        let pivot_column = columns.next().and_then(|column| column.get_mut(k..));
-        let Some([pivot, multipliers @ ..]) = pivot_column else {
+        let Some(pivot_column) = columns.next() else {
             return;
         };
+        let mut below = pivot_column.iter_mut().skip(k);
+        let Some(pivot) = below.next() else { return };
         self.positive ^= *pivot < T::zero();
         let inverse = T::one() / *pivot;
-        for entry in multipliers.iter_mut() {
-            *entry *= inverse;
-        }
+        below.for_each(|entry| *entry *= inverse);
         for column in columns {
-            if let Some([entry, below @ ..]) = column.get_mut(k..)
-                && *entry != T::zero()
-            {
-                subtract_multiple(below, multipliers, *entry);
+            let is_zero = |entry: &T| *entry == T::zero();
+            if N <= SMALL || !column.get(k).is_some_and(is_zero) {
+                subtract_multiple(column, pivot_column, k);
             }
         }
     }
@@ -149,11 +152,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
             swap(&mut x, k, *row);
         }
         for (k, column) in self.columns.iter().enumerate() {
-            if let (Some([entry, below @ ..]), Some([_, multipliers @ ..])) =
-                (x.get_mut(k..), column.get(k..))
-            {
-                subtract_multiple(below, multipliers, *entry);
-            }
+            subtract_multiple(&mut x, column, k);
         }
         for (k, column) in self.columns.iter().enumerate().rev() {
             let (Some([above @ .., value]), Some([upper @ .., pivot])) =
@@ -219,14 +218,24 @@ fn sum_of_products<T: Real, const N: usize>(a: &[T; N], b: &[T; N], range: Range
 }
 
 fn swap<T: Copy, const N: usize>(array: &mut [T; N], i: usize, j: usize) {
-    if i < N && j < N {
-        array.swap(i, j);
+    if let (Some(a), Some(b)) = (array.get(i).copied(), array.get(j).copied()) {
+        if let Some(entry) = array.get_mut(i) {
+            *entry = b;
+        }
+        if let Some(entry) = array.get_mut(j) {
+            *entry = a;
+        }
     }
 }
 
-/// Subtracts `factor * multipliers` from `target`.
-fn subtract_multiple<T: Real>(target: &mut [T], multipliers: &[T], factor: T) {
-    for (entry, multiplier) in target.iter_mut().zip(multipliers) {
-        *entry -= *multiplier * factor;
+/// Subtracts `target[k] * multipliers` from `target`, below entry `k`.
+fn subtract_multiple<T: Real, const N: usize>(target: &mut [T; N], multipliers: &[T; N], k: usize) {
+    let (Some([factor, below @ ..]), Some([_, multipliers @ ..])) =
+        (target.get_mut(k..), multipliers.get(k..))
+    else {
+        return;
+    };
+    for (entry, multiplier) in below.iter_mut().zip(multipliers) {
+        *entry -= *multiplier * *factor;
     }
 }
