@@ -76,6 +76,11 @@ impl Plan {
         }
     }
 
+    /// The number of chassis points, free points and markers.
+    pub(crate) fn points(&self) -> usize {
+        usize::from(self.chassis) + usize::from(self.free) + self.markers.len()
+    }
+
     /// The number of points of clusters, without those of their frames.
     pub(crate) fn linked(&self) -> usize {
         let clusters = self.clusters.iter();

@@ -15,12 +15,12 @@ pub(crate) const LARGEST: usize = MOST_UNKNOWNS;
 
 /// The room in a model of a size. There are four sizes: `Room<15>`, `Room<30>`, `Room<60>`, `Room<120>`.
 ///
-/// | unknowns | chassis points | drives, measures, markers, bodies, carried points, each | lengths | numbers of the factored Jacobian |
-/// | --- | --- | --- | --- | --- |
-/// | 15 | 8 | 8 | 64 | 126 |
-/// | 30 | 16 | 16 | 128 | 254 |
-/// | 60 | 32 | 32 | 256 | 1022 |
-/// | 120 | 64 | 32 | 256 | 2046 |
+/// | unknowns | chassis points | all points | drives, measures, markers, bodies, carried points, each | lengths | numbers of the factored Jacobian |
+/// | --- | --- | --- | --- | --- | --- |
+/// | 15 | 8 | 32 | 8 | 64 | 126 |
+/// | 30 | 16 | 64 | 16 | 128 | 254 |
+/// | 60 | 32 | 128 | 32 | 256 | 1022 |
+/// | 120 | 64 | 128 | 32 | 256 | 2046 |
 pub trait Size: Value {
     /// A value for each chassis point.
     type Chassis<V: Value>: Table<V>;

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use crate::model::counts_of_constants;
-use crate::size::{Few, Lengths, Room, Size};
+use crate::size::{Few, Lengths, Points, Room, Size};
 use crate::table::Table;
 
 /// The first of a listing's counts that exceeds a size.
@@ -21,12 +21,14 @@ impl Plan {
     {
         let chassis = <<Room<N> as Size>::Chassis<u16> as Table<u16>>::ROOM;
         let few = <Few<u16, N> as Table<u16>>::ROOM;
+        let points = <Points<u16, N> as Table<u16>>::ROOM;
         let lengths = <Lengths<u16, N> as Table<u16>>::ROOM;
         // Two places have another use.
         let numbers = <<Room<N> as Size>::Numbers<u16> as Table<u16>>::ROOM - 2;
         let counts = [
             (self.unknowns.into(), N, "unknowns"),
             (self.chassis.into(), chassis, "chassis points"),
+            (self.points(), points, "points"),
             (self.drives.len(), few, "drives"),
             (self.measures.len(), few, "measures"),
         ];

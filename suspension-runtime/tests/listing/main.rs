@@ -2,3 +2,4 @@
 
 mod bound_to_axes;
 mod hardpoints;
+mod room;
