@@ -5,9 +5,7 @@ use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::{Signal, Values};
 use suspension_runtime::{Listing, catalogue};
 
-const CAR: &str = "mirror: left -> right;
-include front_left: double_wishbone_pushrod;
-include rear_left: double_wishbone_pushrod at [-2.6, 0.0, 0.0];";
+const CAR: &str = include_str!("../data/car.linkage");
 
 /// Each corner of the car: its name, how far it stands from where it does alone, and the side, on which y is mirrored.
 const CORNERS: [(&str, f64, f64); 4] = [

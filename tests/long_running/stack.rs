@@ -10,9 +10,7 @@ use suspension_runtime::{Listing, Room, Size};
 const AXLE: &str = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
 
 /// The four corners of a car: 108 unknowns.
-const CAR: &str = "mirror: left -> right;
-include front_left: double_wishbone_pushrod;
-include rear_left: double_wishbone_pushrod at [-2.6, 0.0, 0.0];";
+const CAR: &str = include_str!("../data/car.linkage");
 
 /// The stack that a thread takes for itself, in bytes.
 const THREAD: usize = 64 * 1024;

@@ -9,8 +9,8 @@ use crate::error::SolveError;
 use crate::linkage::Factors;
 use crate::listing::Part;
 
-/// The unknowns above which most columns of a Jacobian are zero in a row: elimination looks for them. It is not worth its
-/// code on a controller for fewer.
+/// The number of unknowns up to which elimination does not look for the columns in which a row is zero: on a controller the
+/// test is not worth its code.
 const SMALL: usize = 30;
 
 /// The factors of an `N x N` matrix.
